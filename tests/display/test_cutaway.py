@@ -4,8 +4,10 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+import shapely
 from hypothesis import given
 from hypothesis import strategies as st
+from shapely import LineString
 
 from tests.display.test_gun import guns
 from workbench.algorithms.scanning.electron_optics import FACE_MM, PLATES_MM
@@ -73,7 +75,11 @@ def test_labels_keep_clear_of_one_another(coils: bool, scale: float, letter_px: 
     gun = Gun(coils=coils)
     left, _low, right, _high = window_of(gun)
     placed = place_labels(
-        labels(gun), gun, lambda label: (len(label.short) * letter_px / scale, 16 / scale), 5 / scale
+        labels(gun),
+        gun,
+        lambda label: (len(label.short) * letter_px / scale, 16 / scale),
+        5 / scale,
+        window_of(gun),
     )
     assert not crowded(placed)
     for each in placed:
@@ -83,3 +89,43 @@ def test_labels_keep_clear_of_one_another(coils: bool, scale: float, letter_px: 
         assert each.box[0] <= z0 <= each.box[2]
         assert y0 in (each.box[1], each.box[3])
         assert tip == each.label.anchor
+
+
+@pytest.mark.parametrize("coils", [False, True])
+@given(st.floats(1.5, 3.0), st.floats(4.5, 5.5))
+def test_no_label_stands_on_the_line_to_what_another_one_names(
+    coils: bool, scale: float, letter_px: float
+) -> None:
+    gun = Gun(coils=coils)
+    placed = place_labels(
+        labels(gun),
+        gun,
+        lambda label: (len(label.title) * letter_px / scale, 13 / scale),
+        4 / scale,
+        window_of(gun),
+    )
+    for one in placed:
+        line = LineString(one.leader)
+        for other in placed:
+            inside = line.intersection(shapely.box(*other.box).buffer(-1e-6)).length
+            assert one is other or inside == 0.0, (one.label.title, other.label.title)
+
+
+def test_a_label_gives_way_to_the_line_of_another_one_where_it_is_narrow() -> None:
+    gun, wide, tall = Gun(), 505.0, 215.0
+    left, low, right, high = window_of(gun)
+    scale = min(wide / (right - left), tall / (high - low))
+    z, y = (left + right) / 2, (low + high) / 2
+    half = wide / 2 / scale, tall / 2 / scale
+    placed = place_labels(
+        labels(gun),
+        gun,
+        lambda label: ((6 * len(label.title) + 12) / scale, 19 / scale),
+        6 / scale,
+        (z - half[0], y - half[1], z + half[0], y + half[1]),
+    )
+    assert not crowded(placed)
+    for one in placed:
+        for other in placed:
+            inside = LineString(one.leader).intersection(shapely.box(*other.box).buffer(-1e-6)).length
+            assert one is other or inside == 0.0, (one.label.title, other.label.title)

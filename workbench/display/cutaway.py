@@ -220,25 +220,25 @@ def labels(gun: Gun, seconds: float | None = None) -> tuple[Label, ...]:
     second = gun.screen - gun.reach_x
     if gun.coils:
         field = f"B = {_volts(math.hypot(way_x, way_y), 'mT')}"
-        bent = [Label("coils", _("deflection coils"), _("coils"), field, (first, neck + 5.0), True)]
+        above: list[Label] = []
+        below = Label("coils", _("deflection coils"), _("coils"), field, (first, -neck - 5.0), False)
     else:
         up, across = f"V_y = {_volts(way_y, 'V')}", f"V_x = {_volts(way_x, 'V')}"
-        above, within = (first, gun.gap / 2.0 + 1.0), (second, 4.0)
-        bent = [
-            Label("plates_y", _("vertical deflection plates"), _("Y plates"), up, above, True),
-            Label("plates_x", _("horizontal deflection plates"), _("X plates"), across, within, True),
-        ]
-    beyond = (flare[0][0] + gun.screen) / 2.0
+        lower, within = (first, -gun.gap / 2.0 - 1.0), (second, 4.0)
+        above = [Label("plates_x", _("horizontal deflection plates"), _("X plates"), across, within, True)]
+        below = Label("plates_y", _("vertical deflection plates"), _("Y plates"), up, lower, False)
+    beyond = (flare[0][0] + 2.0 * gun.screen) / 3.0
     return (
         Label("heater", _("heater"), _("heater"), "6.3 V", (-8.5, 3.0), True),
         Label("grid", _("control grid"), _("grid"), _volts(gun.grid, "V"), (GRID_MM, 9.0), True),
         Label(
             "anode", _("accelerating anode"), _("anode"), _volts(gun.anode, "V"), (ANODE_MM - 4.0, 9.0), True
         ),
-        *bent,
+        *above,
         Label("screen", _("phosphor-coated screen"), _("screen"), gun.phosphor, face(gun, 0.86), True),
         Label("cathode", _("cathode"), _("cathode"), "0 V", (-1.5, -6.0), False),
         Label("focus", _("focusing anode"), _("focus"), _volts(gun.focus, "V"), (LENS_MM, -8.5), False),
+        below,
         Label("beam", _("electron beam"), _("beam"), "", (beyond, 0.0), False),
         Label("coating", _("conductive coating"), _("coating"), "", (coat[0], 3.0 - coat[1]), False),
     )
@@ -250,30 +250,62 @@ def _volts(value: float, unit: str) -> str:
 
 
 def place_labels(
-    wanted: Iterable[Label], gun: Gun, size_of: Callable[[Label], tuple[float, float]], gap: float
+    told: Iterable[Label], gun: Gun, size_of: Callable[[Label], tuple[float, float]], gap: float, room: Box
 ) -> tuple[PlacedLabel, ...]:
     """Put every label as near to its part as it can be, ``gap`` clear of the neck and of the others.
 
-    ``size_of`` gives width and height of its box. Where there is no room left, labels lie over one another.
+    ``size_of`` gives width and height of its box, ``room`` is where they may stand. No label stands on the
+    line to a part that another one names, so far as there is room; where there is none at all, labels lie
+    over one another.
     """
-    left_end, low, right_end, high = window_of(gun)
+    left_end, low, right_end, high = room
     free = neck_of(gun) + 2.0 * gap + (_YOKE if gun.coils else 0.0)
-    taken = [(span.start, span.y - gap / 2.0, span.end, span.y + gap / 2.0) for span in spans(gun)]
+    lengths = [
+        (span.start, span.y - gap, span.end + len(span.name) * gap, span.y + gap) for span in spans(gun)
+    ]
     placed: list[PlacedLabel] = []
-    for label in wanted:
+    for label in told:
         wide, tall = size_of(label)
-        rows = max(int(((high if label.above else -low) - free + gap) // (tall + gap)), 1)
+        pitch = tall + 0.6 * gap  # more than keeps rows apart
+        rows = max(int(((high if label.above else -low) - free + 0.6 * gap) // pitch), 1)
         middle = label.anchor[0] - wide / 2.0
         shifts = sorted((shift * gap for shift in range(-_SHIFTS, _SHIFTS + 1)), key=abs)
         lefts = [min(max(middle + shift, left_end), right_end - wide) for shift in shifts]
-        starts = [free + row * (tall + gap) for row in range(rows)]
+        starts = [free + row * pitch for row in range(rows)]
         boxes = [(left, start, left + wide, start + tall) for start in starts for left in lefts]
         if not label.above:
             boxes = [(left, -top, right, -bottom) for left, bottom, right, top in boxes]
-        clear = (box for box in boxes if not any(_touch(box, other, gap) for other in taken))
-        placed.append(PlacedLabel(label, next(clear, boxes[0])))
-        taken.append(placed[-1].box)
+        places = sorted((PlacedLabel(label, box) for box in boxes), key=lambda each: math.dist(*each.leader))
+        taken = [*lengths, *(each.box for each in placed)]
+        best = None
+        for place in places:
+            if any(_touch(place.box, box, gap) for box in taken):
+                continue
+            best = best or place
+            if not any(_in_the_way(place, other) for other in placed):
+                best = place
+                break
+        placed.append(best or places[0])
     return tuple(placed)
+
+
+def _in_the_way(one: PlacedLabel, other: PlacedLabel) -> bool:
+    """Whether either label stands on the line that leads from the other to its part."""
+    return _cuts(one.leader, other.box) or _cuts(other.leader, one.box)
+
+
+def _cuts(line: tuple[tuple[float, float], tuple[float, float]], box: Box) -> bool:
+    """Whether a line from one place to another passes through a box."""
+    (z0, y0), (z1, y1) = line
+    enters, leaves = 0.0, 1.0
+    for start, step, low, high in ((z0, z1 - z0, box[0], box[2]), (y0, y1 - y0, box[1], box[3])):
+        if step == 0.0:
+            if not low < start < high:
+                return False
+            continue
+        near, far = sorted(((low - start) / step, (high - start) / step))
+        enters, leaves = max(enters, near), min(leaves, far)
+    return enters < leaves
 
 
 def crowded(placed: Sequence[PlacedLabel]) -> bool:

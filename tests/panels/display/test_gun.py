@@ -1,6 +1,5 @@
 """The page Gun as a person uses it: drag, type, turn, step, choose a part, save the drawing."""
 
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -10,7 +9,6 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QAbstractButton, QComboBox, QDial, QMenu, QPushButton, QSlider
 from pytestqt.qtbot import QtBot
 
-from tests.panels.by_hand import keep_until_the_end
 from workbench.algorithms.scanning.electron_beam_views import BLOCKS
 from workbench.display.cutaway import STEPS, parts_of
 from workbench.display.gun import OFF, SINE
@@ -18,6 +16,7 @@ from workbench.document.errors import DocumentError
 from workbench.document.storage.files import read
 from workbench.exchange.diagram_svg import write_diagram
 from workbench.panels.display.gun.page import GunPage
+from workbench.panels.display.gun.parts import numbers_of
 from workbench.panels.display.gun.presets import presets
 from workbench.rendering.subjects.gun import gun_of, settings_of, with_settings
 from workbench.session.session import Session
@@ -26,26 +25,8 @@ from workbench.widgets.formulas.paper import write_pdf
 
 
 @pytest.fixture
-def session() -> Iterator[Session]:
-    made = Session()
-    made.flush()
-    yield made
-    made.close()
-    made.deleteLater()
-
-
-@pytest.fixture
-def page(qtbot: QtBot, session: Session) -> GunPage:
-    made = GunPage(session)
-    keep_until_the_end(qtbot, made)
-    made.resize(900, 460)
-    with qtbot.waitExposed(made):
-        made.show()
-    session.visit("gun", made.usual)
-    session.flush()
-    qtbot.waitUntil(lambda: session.run.done and session.run.entry is not None)
-    made.refresh()
-    return made
+def page(gun_page: GunPage) -> GunPage:
+    return gun_page
 
 
 def settle(page: GunPage) -> None:
@@ -126,6 +107,11 @@ def test_the_spot_is_dragged_on_the_screen_and_moved_by_keys(qtbot: QtBot, page:
     qtbot.mouseRelease(tube, Qt.MouseButton.LeftButton, pos=at)
     settle(page)
     assert page.setting.gun.way()[-1][1:3] == pytest.approx((-40.0, 30.0), abs=1.0)
+    page.setting.change({"x_volts": -492.9})
+    settle(page)
+    assert not page.cards.across.fields["volts"].number.field.overflows
+    qtbot.mouseClick(tube, Qt.MouseButton.LeftButton, pos=at)
+    settle(page)
     x, y = page.setting.gun.way()[-1][1:3]
     qtbot.keyClick(tube, Qt.Key.Key_Right)
     settle(page)
@@ -270,6 +256,9 @@ def test_the_answer_has_a_diagram_and_five_points(page: GunPage) -> None:
         assert f">{number}." in text.replace("\n", "")
     assert "24" in text
     assert "control grid" in text
+    assert ">26524" in text  # km/s: the root of 2 e V / m at 2 kV, without relativity
+    for asked in ("Electrostatic:", "Magnetic:", "Focus<", "Brightness<", "Contrast<"):
+        assert asked in text
 
 
 def test_the_button_asks_what_the_menu_asks(page: GunPage, qtbot: QtBot) -> None:
@@ -327,7 +316,7 @@ def test_drawing_cards_and_screen_tell_of_one_moment(page: GunPage, session: Ses
     settle(page)
     _z, _x, y, _r = page.setting.gun.way()[-1]
     assert page.drawing_view._way[-1][2] == y
-    assert f"{y:.1f} mm" in page.cards.up.line.text()
+    assert f"{y:.1f}\N{NO-BREAK SPACE}mm" in page.cards.up.line.text()
     assert page.tube._spot is not None
     assert page.tube._spot[2] == y
 
@@ -344,3 +333,14 @@ def test_the_words_of_a_part_take_the_room_they_need(page: GunPage, qtbot: QtBot
     needed = dock.words.heightForWidth(wide)
     dock._make_room()
     assert dock.words.minimumHeight() == needed < 120
+
+
+def test_the_flight_to_the_screen_takes_the_time_of_its_length_at_its_speed(page: GunPage) -> None:
+    gun = page.setting.gun
+    numbers = dict(numbers_of("anode", gun))
+    metres_a_second = 1000.0 * float(numbers["Speed"].removesuffix(" km/s").replace(",", ""))
+    seconds = gun.screen / 1000.0 / metres_a_second
+    told, unit = numbers["Flight to the screen"].split()
+    assert unit == "ns"
+    assert float(told) * 1e-9 == pytest.approx(seconds, rel=5e-3)
+    assert float(told) == pytest.approx(10.8, abs=0.05)

@@ -369,7 +369,8 @@ def test_the_keys_of_the_step_bar_step_in_either_picture(
     qtbot.addWidget(told)
     run.first()
     told.refresh()
-    assert told.plain == "Nothing has been done yet; press the right arrow key for the first step."
+    assert run.entry is not None
+    assert told.plain == f"{run.entry.summary} Press the right arrow key for the first step."
     seen = []
     for key in (Qt.Key.Key_Right, Qt.Key.Key_Right, Qt.Key.Key_Left, Qt.Key.Key_End, Qt.Key.Key_Home):
         qtbot.keyClick(view, key)

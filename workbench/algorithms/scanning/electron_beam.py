@@ -131,7 +131,8 @@ ENTRY = Entry(
     function=electron_beam,
     topic="scanning",
     title="Electron beam",
-    summary="Cathode, grid, focus, acceleration, deflection, phosphor: each does one thing to the beam.",
+    summary="A cathode-ray tube makes a beam of electrons from a hot cathode, focuses it, speeds it up, "
+    "bends it to one place of the screen, and makes the phosphor glow there.",
     parameters=(
         Parameter("v_grid", "V_g", "float", -18.0, -500, 0, "V", "voltage of the control grid"),
         Parameter("v_focus", "V_f", "float", 420.0, 1, 30000, "V", "voltage of the focusing anode"),

@@ -93,12 +93,12 @@ VIEWS = (
         when="off_the_face(x, y)",
         row="('screen', refresh, 'left', left, '%', screen)",
         sentence="At x = {x} mm, y = {y} mm there is no screen any more: the beam ends on the conductive "
-        "coating, which leads its {current * v_anode / 1000.0} mW away.",
+        "coating, which leads its {round(current * v_anode / 1000.0, 2)} mW away.",
     ),
     View(
         block=SCREEN,
         row="('screen', refresh, 'left', left, '%', screen)",
-        sentence="I V_a = {current * v_anode / 1000.0} mW make the phosphor glow where the beam lands. "
-        "Then the glow fades: {refresh} times a second it is drawn again, with {left} % of it left.",
+        sentence="I V_a = {round(current * v_anode / 1000.0, 2)} mW make the phosphor glow where the beam "
+        "lands. Then the glow fades: {refresh} times a second it is drawn again, with {left} % of it left.",
     ),
 )

@@ -72,6 +72,7 @@ ARGUMENTS: dict[str, Given] = {
     **{name: Given(getattr(_VGA, name), NUMBERS[name]) for name in COUNTS},
     "depth": Given(DIRECT, NUMBERS["depth"]),
     "sums_typed": Given(False),
+    "sum_mode": Given(SHEET),
     "sum_width": Given(_VGA.h_active, NUMBERS["sum_width"]),
     "sum_height": Given(_VGA.v_active, NUMBERS["sum_height"]),
     "sum_bits": Given(DIRECT, NUMBERS["sum_bits"]),

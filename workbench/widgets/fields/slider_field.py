@@ -3,12 +3,12 @@
 import math
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QSlider, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QSlider, QVBoxLayout, QWidget
 
-from workbench.widgets.fields.number_field import NumberField
+from workbench.widgets.fields.number_field import NumberField, complaint_label
 
 _STEPS = 1000
-_LABEL_PX, _UNIT_PX = 30, 16
+_LABEL_PX, _FIELD_PX, _UNIT_PX = 30, 68, 16
 _LEAST_SLIDER_PX = 40
 
 
@@ -16,7 +16,7 @@ class SliderField(QWidget):
     """``edited`` sends each value that a person gives; ``ended`` follows a drag, or what was typed.
 
     ``span`` is what the slider reaches, where that is less than ``low`` to ``high``; a ``logarithmic`` one
-    gives every decade the same room.
+    gives every decade the same room. What is wrong with what was typed is said below both.
     """
 
     edited = Signal(float)
@@ -40,8 +40,12 @@ class SliderField(QWidget):
         self._logarithmic = logarithmic
         self._step = step
         self._showing = False
-        self.number = NumberField(label, unit, low=low, high=high, step=step, meaning=meaning)
+        complaint = complaint_label()
+        self.number = NumberField(
+            label, unit, low=low, high=high, step=step, meaning=meaning, complaint=complaint
+        )
         self.number.label.setMinimumWidth(_LABEL_PX)
+        self.number.field.setFixedWidth(_FIELD_PX)
         self.number.unit.setMinimumWidth(_UNIT_PX)
         self.number.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
         self.slider = QSlider(Qt.Orientation.Horizontal)
@@ -50,11 +54,15 @@ class SliderField(QWidget):
         self.slider.setMinimumWidth(_LEAST_SLIDER_PX)
         self.slider.setAccessibleName(meaning)
         self.slider.setToolTip(meaning)
-        row = QHBoxLayout(self)
-        row.setContentsMargins(0, 0, 0, 0)
+        row = QHBoxLayout()
         row.setSpacing(8)
         row.addWidget(self.number)
         row.addWidget(self.slider, 1)
+        whole = QVBoxLayout(self)
+        whole.setContentsMargins(0, 0, 0, 0)
+        whole.setSpacing(2)
+        whole.addLayout(row)
+        whole.addWidget(complaint)
         self.setFocusProxy(self.number)
         self.slider.valueChanged.connect(self._slid)
         self.slider.sliderReleased.connect(self.ended)

@@ -102,9 +102,8 @@ class SentenceView(QLabel):
         if not parts and run.recording is not None and not len(run.recording):
             return (Part(_("Recording the run ..."), None),)
         if not parts and not run.position and run.last_position:
-            return (
-                Part(_("Nothing has been done yet; press the right arrow key for the first step."), None),
-            )
+            begin = _("{summary} Press the right arrow key for the first step.")
+            return (Part(begin.format(summary=_(run.entry.summary)), None),)
         return parts
 
     def _write(self) -> None:

@@ -21,6 +21,7 @@ from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
 from workbench.algorithms.scanning.electron_optics import FACE_MM
 from workbench.display.cutaway import (
+    Box,
     Label,
     Part,
     PlacedLabel,
@@ -318,6 +319,12 @@ class GunView(QWidget):
         wide = max(map(metrics.horizontalAdvance, lines)) + 2 * _PADDING_PX
         return wide / self._scale, (len(lines) * metrics.height() + _PADDING_PX) / self._scale
 
+    def _room(self) -> Box:
+        """The whole widget in millimetres of the drawing, but for the lines around its outermost labels."""
+        left, top = (1.0 - self._cathode.x()) / self._scale, (self._cathode.y() - 1.0) / self._scale
+        wide, tall = ((extent - 2.0) / self._scale for extent in (self.width(), self.height()))
+        return left, top - tall, left + wide, top
+
     def _lines(self, label: Label) -> list[str]:
         if self._wording == "short":
             return [label.short]
@@ -328,11 +335,11 @@ class GunView(QWidget):
         told, gap = labels(self._gun, self._seconds), _GAP_PX / self._scale
         for self._wording in ("whole", "names", "short"):
             sizes = {label: self._size_of(metrics, label) for label in told}
-            asked = self._wording, self._scale, self._gun.coils, self._gun.gap, [*sizes.values()]
+            asked = self._wording, self._scale, self.size(), self._gun.coils, self._gun.gap, [*sizes.values()]
             if asked == self._asked:  # as large as they were, they stay where they are
                 self._placed = tuple(map(PlacedLabel, told, (each.box for each in self._placed)))
                 break
-            self._placed = place_labels(told, self._gun, sizes.__getitem__, gap)
+            self._placed = place_labels(told, self._gun, sizes.__getitem__, gap, self._room())
             self._asked = asked
             if not crowded(self._placed):
                 break

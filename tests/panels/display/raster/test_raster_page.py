@@ -16,6 +16,8 @@ from workbench.document.storage.files import read
 from workbench.exchange.diagrams import Drawing
 from workbench.panels.display.panel import DisplayPanel
 from workbench.panels.display.raster.page import RasterPage
+from workbench.panels.display.raster.sums import text_of
+from workbench.panels.display.raster.sums_dock import with_levels
 from workbench.session.session import Session
 
 
@@ -143,6 +145,48 @@ def test_a_mode_that_cannot_be_says_so_in_place_and_nothing_is_lost(
     assert page.setting.value("mode") == "typed"
 
 
+def take_sums_of(page: RasterPage, source: str) -> None:
+    """Choose in the dock what the sums are of."""
+    row = page.sums.source.findData(source)
+    assert row >= 0
+    page.sums.source.setCurrentIndex(row)
+    page.sums.source.activated.emit(row)
+    page.session.flush()
+    page.sums.refresh()
+
+
+def test_the_sums_of_any_mode_are_worked_out_beside_what_the_tube_scans(
+    page: RasterPage, session: Session, qtbot: QtBot
+) -> None:
+    show_dock(qtbot, page.sums)
+    page.sums.refresh()
+    scanned = page.setting.scan
+    take_sums_of(page, "vesa-1024x768-60")
+    results = {each.title: each.result for each in page.sums.sums}
+    assert results["Frame buffer"] == "2,359,296 B = 2,304 KiB"
+    assert results["Pixel time, the mode's clock"] == "15.38 ns"  # 1 / 65 MHz
+    assert results["Line time, the mode's totals"] == "20.68 \N{MICRO SIGN}s"  # 1344 / 65 MHz
+    assert results["Share of retrace, the mode's totals"] == "27.4 %"  # 1 - 1024 * 768 / (1344 * 806)
+    assert page.setting.scan == scanned
+    colours = next(each for each in page.sums.sums if each.title == "Colours")
+    assert with_levels(colours.numbers) == "2<sup>24</sup>"
+    assert "Colours: 2^b = 2^24 = 16,777,216\n" in text_of(page.sums.sums)
+    page.sums.fields["sum_bits"].edited.emit(8.0)
+    session.flush()
+    page.sums.refresh()
+    assert page.sums.sums[0].result == "786,432 B = 768 KiB"
+    take_sums_of(page, "typed")
+    assert [page.sums.fields[name].value() for name in ("sum_width", "sum_height", "sum_bits")] == [
+        1024,
+        768,
+        8,
+    ]
+    for name in ("sum_hz", "sum_h_us", "sum_v_us"):
+        assert not page.sums.fields[name].field.overflows
+    take_sums_of(page, "")
+    assert page.sums.sums[0].numbers.startswith(f"{scanned.timing.h_active} ")
+
+
 def test_the_sums_follow_the_mode_or_the_numbers_that_are_typed(
     page: RasterPage, session: Session, qtbot: QtBot
 ) -> None:
@@ -158,14 +202,14 @@ def test_the_sums_follow_the_mode_or_the_numbers_that_are_typed(
     assert results["Bandwidth of the video amplifier, at least"] == "12.59 MHz"
     assert results["Loading over the line"] == "73.73 s"
     assert results["Pixel time, given retraces"] == "39.72 ns"
-    page.sums.typed.click()
+    take_sums_of(page, "typed")
     session.flush()
     for name, value in (("sum_hz", 60.0), ("sum_width", 3.0), ("sum_height", 2.0), ("sum_v_us", 1e6)):
         page.sums.fields[name].edited.emit(value)
     session.flush()
     qtbot.waitUntil(lambda: page.sums.sums[0].result == "18 B = 0.01758 KiB")
     faults = [each.title for each in page.sums.sums if each.fault]
-    assert faults == ["Line time, given retraces", "Pixel time, given retraces"]
+    assert faults == [f"{what}, given retraces" for what in ("Line time", "Pixel time", "Share of retrace")]
     assert not any("mode" in each.title for each in page.sums.sums)
     page.sums.fields["sum_width"].edited.emit(0.0)
     session.flush()

@@ -12,17 +12,29 @@ def _strong(text: str) -> str:
     return f"<b>{text}</b>"
 
 
+def _amount(value: str, unit: str) -> str:
+    """A result, which no line breaks from its unit."""
+    return _strong(f"{value}\N{NO-BREAK SPACE}{unit}")
+
+
 def current_line(gun: Gun) -> str:
     """I = K (1 - V_g / V_c)^γ."""
     share = f"{_short(abs(gun.grid))}/{_short(abs(gun.cut_off))}"
-    amount = _strong(f"{_short(round(gun.beam_current, 1))} µA")
+    amount = _amount(_short(round(gun.beam_current, 1)), "µA")
     return f"<i>I</i> = {_short(gun.current)} (1 \u2212 {share})<sup>{gun.gamma:g}</sup> = {amount}"
 
 
 def focus_line(gun: Gun) -> str:
     """The spot, and the voltage at which it would be sharp."""
-    words = _("σ = {spot}, sharp at {volts} V")
-    return words.format(spot=_strong(f"{gun.spot:.2g} mm"), volts=_short(gun.best_focus))
+    return _("σ {spot:.2g} mm, sharp at {volts} V").format(spot=gun.spot, volts=_short(gun.best_focus))
+
+
+def deflection_law(gun: Gun, way: str) -> str:
+    """How far the beam is bent, ``way`` "x" or "y", in the letters of the course."""
+    if gun.coils:
+        turned = "sin <i>θ</i> = <i>l B</i> √(<i>e</i> / (2 <i>m V</i><sub>a</sub>))"
+        return f"{turned}<br><i>{way}</i> = <i>D</i> tan <i>θ</i>"
+    return f"<i>{way}</i> = <i>l D</i><sub>{way}</sub> <i>V</i><sub>{way}</sub> / (2 <i>d V</i><sub>a</sub>)"
 
 
 def deflection_line(gun: Gun, way: str, seconds: float | None) -> str:
@@ -30,7 +42,8 @@ def deflection_line(gun: Gun, way: str, seconds: float | None) -> str:
     drive = float(gun.arguments(seconds)[4][0 if way == "x" else 1])
     end = gun.way(seconds)[-1]
     lands = end[0] >= gun.screen
-    value = _strong(f"{end[1 if way == 'x' else 2]:.1f} mm".replace("-", "\u2212")) if lands else ""
+    place = f"{end[1 if way == 'x' else 2]:.1f}".replace("-", "\u2212")
+    value = _amount(place, "mm") if lands else ""
     name = f"<i>{way}</i>"
     if gun.coils:
         if not lands:
@@ -39,6 +52,7 @@ def deflection_line(gun: Gun, way: str, seconds: float | None) -> str:
     if abs(drive) > gun.limit:
         return _strong(_("Caught: beyond {limit} V a plate is hit.").format(limit=_short(gun.limit)))
     reach = gun.reach_x if way == "x" else gun.reach_y
-    above = f"{gun.length:g}·{reach:g}·{_short(round(drive, 1))}"
+    volts = _short(round(drive, 1))
+    above = f"{gun.length:g}·{reach:g}·{f'({volts})' if drive < 0 else volts}"
     formula = f"{name} = {above} / (2·{gun.gap:g}·{gun.anode:g})"
     return f"{formula} = {value}" if lands else formula

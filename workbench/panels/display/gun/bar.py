@@ -82,7 +82,7 @@ class GunBar(QWidget):
             label.setBuddy(box)
             self._titles.append(label)
             box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
-            box.setMinimumContentsLength(9 if box is self.bent_by else 13)
+            box.setMinimumContentsLength(9 if box is self.bent_by else 15)
             box.setAccessibleName(title)
             box.setToolTip(meaning)
             tell_choice(box)

@@ -18,12 +18,17 @@ from PySide6.QtWidgets import (
 
 from workbench.display.gun import OFF, SAWTOOTH, SINE, Gun
 from workbench.language import _
-from workbench.panels.display.gun.arithmetic import current_line, deflection_line, focus_line
+from workbench.panels.display.gun.arithmetic import current_line, deflection_law, deflection_line, focus_line
+from workbench.panels.display.gun.monitor_card import MonitorCard
 from workbench.rendering.subjects.gun import NUMBERS
 from workbench.widgets.fields.slider_field import SliderField
 
 _NARROW_PX = 700
 _LINES = 2
+_SHARES = (23, 18, 18, 13)
+"""How wide the cards are beside one another: as wide as their arithmetic."""
+_CARDS = {2: 0, 3: 0, 4: 0, 5: 1}
+"""Which card each step of the run is about."""
 _SPANS = {
     "grid": (-80.0, 0.0),
     "volts": (-700.0, 700.0),
@@ -70,10 +75,11 @@ class GunCard(QFrame):
         whole.addStretch(1)
 
     def lie_down(self, flat: bool) -> None:
-        """Let the sliders stand beside one another, over a line of arithmetic."""
+        """Let the sliders stand beside one another, over a line of arithmetic and without a title."""
         way = QBoxLayout.Direction.LeftToRight if flat else QBoxLayout.Direction.TopToBottom
         self.rows.setDirection(way)
         self.rows.setSpacing(12 if flat else 2)
+        self.title.setVisible(not flat)
         self.line.setFixedHeight((1 if flat else _LINES) * self.fontMetrics().lineSpacing() + 2)
 
     def slider(self, name: str, label: str = "") -> SliderField:
@@ -100,22 +106,33 @@ class BeamCard(GunCard):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(_("Beam"), parent)
-        self.cut_off = QLabel()
-        self.cut_off.setProperty("role", "muted")
-        self.head.addWidget(self.cut_off)
+        self.focus = QLabel()
+        self.focus.setProperty("role", "muted")
+        self.focus.setToolTip(_("The lens is a model for teaching: its focal length grows with V_f / V_a"))
+        self.head.addWidget(self.focus)
+        self._flat = False
         self.fields = {name: self.slider(name) for name in ("grid", "focus", "anode")}
+
+    def lie_down(self, flat: bool) -> None:
+        """Flat, focus is told behind the current."""
+        super().lie_down(flat)
+        self._flat = flat
+        self.focus.setVisible(not flat)
 
     def show_gun(self, gun: Gun) -> None:
         """Show what the tube is set to."""
         for name, field in self.fields.items():
             field.set_value(getattr(gun, name))
-        self.cut_off.setText(_("cut-off {volts} V").format(volts=f"{gun.cut_off:g}".replace("-", "\u2212")))
-        self.line.setText(f"{current_line(gun)}<br>{focus_line(gun)}")
-        self.line.setToolTip(_("The lens is a model for teaching: its focal length grows with V_f / V_a"))
+        self.focus.setText(focus_line(gun))
+        current = current_line(gun)
+        self.line.setText(f"{current};&nbsp; {focus_line(gun)}" if self._flat else current)
 
 
 class DeflectionCard(GunCard):
-    """One way of deflecting, ``way`` "x" or "y": held at a voltage, or driven by an input."""
+    """One way of deflecting, ``way`` "x" or "y": held at a voltage, or driven by an input.
+
+    Held, there is room for the law in letters, and for where the plates catch the beam.
+    """
 
     def __init__(self, way: str, parent: QWidget | None = None) -> None:
         super().__init__("", parent)
@@ -132,6 +149,26 @@ class DeflectionCard(GunCard):
         short = {"volts": f"V_{way}", "field": f"B_{way}", "peak": _("Peak"), "peak_field": _("Peak")}
         short |= {"rate": _("Rate"), "phase": _("Phase")}
         self.fields = {name: self.slider(f"{way}_{name}", label) for name, label in short.items()}
+        self.law, self.limit = QLabel(), QLabel()
+        self.law.setTextFormat(Qt.TextFormat.RichText)
+        self.limit.setProperty("role", "muted")
+        for label in (self.law, self.limit):
+            label.setWordWrap(True)
+            label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        whole = self.layout()
+        assert isinstance(whole, QVBoxLayout)
+        whole.insertWidget(whole.indexOf(self.line), self.law)
+        whole.insertWidget(whole.indexOf(self.line) + 1, self.limit)
+        self._flat = False
+
+    def lie_down(self, flat: bool) -> None:
+        """Flat, the input is chosen beside its sliders."""
+        super().lie_down(flat)
+        self._flat = flat
+        if flat:
+            self.rows.insertWidget(0, self.wave)
+        else:
+            self.head.addWidget(self.wave)
 
     def show_gun(self, gun: Gun, seconds: float | None = None) -> None:
         """Show what the tube is set to, and where the beam is at a time."""
@@ -154,6 +191,11 @@ class DeflectionCard(GunCard):
         for name, field in self.fields.items():
             field.setVisible(seen[name])
             field.set_value(getattr(way, name))
+        roomy = not swings and not self._flat
+        self.law.setVisible(roomy)
+        self.limit.setVisible(roomy and not gun.coils)
+        self.law.setText(deflection_law(gun, self.way))
+        self.limit.setText(_("caught beyond {volts:.4g} V").format(volts=gun.limit))
         self.line.setText(deflection_line(gun, self.way, seconds))
 
 
@@ -165,11 +207,13 @@ class GunCards(QWidget):
 
     edited = Signal(dict)
 
-    def __init__(self, monitor: QWidget, time: QWidget, parent: QWidget | None = None) -> None:
+    def __init__(self, monitor: MonitorCard, time: QWidget, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.beam, self.up, self.across = BeamCard(), DeflectionCard("y"), DeflectionCard("x")
         self.monitor, self.time = monitor, time
         self._cards = (self.beam, self.up, self.across, monitor)
+        self._gun = Gun()
+        self._seconds: float | None = None
         self._narrow: bool | None = None
         self._swings = False
         self.buttons = QButtonGroup(self)
@@ -194,14 +238,15 @@ class GunCards(QWidget):
         self._grid.setVerticalSpacing(4)
         self._grid.addWidget(self._switch, 0, 0, 1, len(self._cards))
         for column in range(len(self._cards)):
-            self._grid.setColumnStretch(column, 4 if column < 3 else 3)
+            self._grid.setColumnStretch(column, _SHARES[column])
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         for card in (self.beam, self.up, self.across):
             card.edited.connect(self.edited)
-        self._lay_out(False)
+        self._lay_out(False)  # with the usual tube, so that they ask for no more room than it needs
 
     def show_gun(self, gun: Gun, seconds: float | None = None) -> None:
         """Show what the tube is set to, and where its beam is at a time."""
+        self._gun, self._seconds = gun, seconds
         self.beam.show_gun(gun)
         self.up.show_gun(gun, seconds)
         self.across.show_gun(gun, seconds)
@@ -210,11 +255,14 @@ class GunCards(QWidget):
             self._arrange()
 
     def light(self, step: int) -> None:
-        """Mark the cards that a step of the run is about."""
+        """Mark the cards that a step of the run is about; where there is room for one, it is that."""
         for card, lit in ((self.beam, 2 <= step <= 4), (self.up, step == 5), (self.across, step == 5)):
             if card.title.property("here") != lit:
                 card.title.setProperty("here", lit)
                 card.title.style().polish(card.title)
+        if step in _CARDS:
+            self.buttons.button(_CARDS[step]).setChecked(True)
+            self._arrange()
 
     def _lay_out(self, narrow: bool) -> None:
         """Cards in a row, or each over the whole width with its sliders beside one another."""
@@ -225,8 +273,9 @@ class GunCards(QWidget):
         for column, card in enumerate(self._cards):
             self._grid.addWidget(card, 2, 0 if narrow else column, 1, whole if narrow else 1)
         self._grid.addWidget(self.time, 2 if narrow else 1, 0, 1, whole)
-        for each in (self.beam, self.up, self.across):
+        for each in (self.beam, self.up, self.across, self.monitor):
             each.lie_down(narrow)
+        self.show_gun(self._gun, self._seconds)
         self._arrange()
 
     def _arrange(self) -> None:

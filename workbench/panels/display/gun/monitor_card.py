@@ -2,7 +2,16 @@
 
 from msgspec.structs import replace
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QDial, QFrame, QHBoxLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QBoxLayout,
+    QDial,
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QSizePolicy,
+    QVBoxLayout,
+    QWidget,
+)
 
 from workbench.display.gun import Gun
 from workbench.display.monitor import Knobs, grid_voltage, level_of
@@ -10,19 +19,19 @@ from workbench.document.fields import Number, numbers_of
 from workbench.document.state import TubeSettings
 from workbench.language import _
 from workbench.session.session import Session
-from workbench.widgets.fields.number_field import NumberField, lowered
+from workbench.widgets.fields.number_field import NumberField, complaint_label, lowered
 
 _STEPS = 200
 _KNOB_PX = 42
 
 
 class Knob(QWidget):
-    """A dial with its number below. ``turned`` sends each value that a person gives."""
+    """A dial with its number beside it. ``turned`` sends each value that a person gives."""
 
     turned = Signal(float)
 
-    def __init__(self, title: str, meaning: str, number: Number, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, title: str, meaning: str, number: Number, complaint: QLabel) -> None:
+        super().__init__()
         self._low, self._high = number.low, number.high
         self._showing = False
         self.dial = QDial()
@@ -32,7 +41,9 @@ class Knob(QWidget):
         self.dial.setFixedSize(_KNOB_PX, _KNOB_PX)
         self.dial.setAccessibleName(title)
         self.dial.setToolTip(meaning)
-        self.number = NumberField("", low=self._low, high=self._high, step=0.01, meaning=meaning)
+        self.number = NumberField(
+            "", low=self._low, high=self._high, step=0.01, meaning=meaning, complaint=complaint
+        )
         self.title = QLabel(title)
         self.title.setBuddy(self.number)
         beside = QVBoxLayout()
@@ -77,6 +88,7 @@ class MonitorCard(QFrame):
         numbers = numbers_of(TubeSettings)
         self.title = QLabel(_("Monitor"))
         self.title.setProperty("role", "section")
+        self.complaint = complaint_label()
         self.brightness = Knob(
             _("Brightness"),
             _(
@@ -84,11 +96,13 @@ class MonitorCard(QFrame):
                 "go"
             ),
             numbers["brightness"],
+            self.complaint,
         )
         self.contrast = Knob(
             _("Contrast"),
             _("Scales the video signal: how far white is from black"),
             numbers["contrast"],
+            self.complaint,
         )
         self.line = QLabel()
         self.line.setProperty("role", "muted")
@@ -97,11 +111,24 @@ class MonitorCard(QFrame):
         whole = QVBoxLayout(self)
         whole.setContentsMargins(10, 6, 10, 6)
         whole.setSpacing(2)
-        for part in (self.title, self.brightness, self.contrast, self.line):
-            whole.addWidget(part)
+        self.knobs = QBoxLayout(QBoxLayout.Direction.TopToBottom)
+        self.knobs.setSpacing(2)
+        self.knobs.addWidget(self.brightness)
+        self.knobs.addWidget(self.contrast)
+        whole.addWidget(self.title)
+        whole.addLayout(self.knobs)
+        whole.addWidget(self.complaint)
+        whole.addWidget(self.line)
         whole.addStretch(1)
         self.brightness.turned.connect(lambda value: self._turn(brightness=value))
         self.contrast.turned.connect(lambda value: self._turn(contrast=value))
+
+    def lie_down(self, flat: bool) -> None:
+        """Let the knobs stand beside one another, without a title."""
+        way = QBoxLayout.Direction.LeftToRight if flat else QBoxLayout.Direction.TopToBottom
+        self.knobs.setDirection(way)
+        self.knobs.setSpacing(16 if flat else 2)
+        self.title.setVisible(not flat)
 
     @property
     def _knobs(self) -> Knobs:

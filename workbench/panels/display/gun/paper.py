@@ -1,8 +1,11 @@
 """The tube on paper: the drawing with or without labels, and how it works in the form of an exam's answer."""
 
+import math
+
 import numpy as np
 
 from workbench.algorithms.marks import Ink, Region, Spot, Stroke, Weight, Word, along, closed
+from workbench.algorithms.scanning.electron_optics import CHARGE_TO_MASS
 from workbench.display.cutaway import (
     Label,
     beam_outline,
@@ -74,7 +77,7 @@ def _labelled(gun: Gun, scale: float) -> list[Item]:
     def size_of(label: Label) -> tuple[float, float]:
         return (len(label.title) * _LETTER_PT + 6.0) / scale, _LINE_PT / scale
 
-    for placed in place_labels(labels(gun), gun, size_of, 4.0 / scale):
+    for placed in place_labels(labels(gun), gun, size_of, 4.0 / scale, window_of(gun)):
         left, low, right, high = placed.box
         items.append(Stroke(np.array(placed.leader), "muted", "hair"))
         items.append(Word(f'"{placed.label.title}"', (left + right) / 2.0, (low + high) / 2.0, "text"))
@@ -89,10 +92,6 @@ def drawing(gun: Gun, labelled: bool) -> Derivation:
 def answer(gun: Gun) -> Derivation:
     """The labelled diagram and how it works in five points, then the same with the numbers of this tube."""
     title = _("How a cathode-ray tube works")
-    bent = _(
-        "4. Deflection. Two pairs of plates (or coils) bend the beam upwards and across, to any place of the "
-        "screen. Between plates it is pulled towards the positive one; the angle grows with their voltage."
-    )
     blocks: list[Block] = [
         Heading(title),
         figure(gun),
@@ -111,12 +110,34 @@ def answer(gun: Gun) -> Derivation:
                 "conductive coating inside the cone is joined to it and takes them back."
             )
         ),
-        Sentence(bent),
+        Sentence(
+            _(
+                "4. Deflection, to any place of the screen. Electrostatic: a pair of plates bends the beam "
+                "up and down, another to the sides; it is pulled towards the positive plate, the farther the "
+                "higher the voltage. Plates are fast, as in oscilloscopes. Magnetic: coils around the neck "
+                "bend it into an arc; they bend far, and fast electrons too, as in television sets and "
+                "monitors."
+            )
+        ),
         Sentence(
             _(
                 "5. Light. Where the beam hits the phosphor of the screen it glows, and goes on glowing for "
                 "its persistence. As it fades, the picture is drawn again, usually 60 to 80 times a second, "
                 "so that it does not flicker."
+            )
+        ),
+        Heading(_("What the knobs do")),
+        Sentence(_("Focus sets the voltage of the focusing anode: at one voltage the spot is smallest.")),
+        Sentence(
+            _(
+                "Brightness moves the bias of the control grid: all of the picture, black too, becomes "
+                "lighter or darker."
+            )
+        ),
+        Sentence(
+            _(
+                "Contrast scales the video signal that is added to the bias: white moves away from black, "
+                "and black stays."
             )
         ),
         Heading(_("With the numbers of this tube")),
@@ -135,7 +156,9 @@ def _numbers(gun: Gun) -> list[str]:
             gamma=displayed(gun.gamma),
             i=displayed(round(gun.beam_current, 2)),
         ),
-        _("Anode: $e V_a = m v^2 / 2$, so $v = sqrt(2 e V_a / m)$ at $V_a = {a}$ V.").format(a=v_a),
+        _("Anode: $e V_a = m v^2 / 2$, so $v = sqrt(2 e V_a / m) = {v}$ km/s at $V_a = {a}$ V.").format(
+            v=displayed(round(math.sqrt(2.0 * CHARGE_TO_MASS * gun.anode) / 1000.0)), a=v_a
+        ),
     ]
     if gun.coils:
         lines.append(_("Coils: $sin theta = l B sqrt(e / (2 m V_a))$, and $y = D tan theta$."))

@@ -135,7 +135,7 @@ def numbers_of(part: Part, gun: Gun) -> list[tuple[str, str]]:
             return [
                 (_("Speed"), f"{speed:,.0f} km/s"),
                 (_("Of the speed of light"), f"{speed / 2997.92458:.3g} %"),
-                (_("Flight to the screen"), f"{gun.screen / speed:.3g} ns"),
+                (_("Flight to the screen"), f"{1000.0 * gun.screen / speed:.3g} ns"),
             ]
         case "plates_y" | "plates_x":
             reach = gun.reach_y if part == "plates_y" else gun.reach_x

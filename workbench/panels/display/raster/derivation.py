@@ -8,6 +8,7 @@ from workbench.algorithms.marks import Region, Stroke, Word, closed
 from workbench.display.beam_path import Segment, frame_segments, line_segments
 from workbench.display.scan import Scan
 from workbench.exchange.diagrams import Block, Derivation, Drawing, Heading, Item, Sentence
+from workbench.exchange.tables import plain
 from workbench.language import _
 from workbench.panels.display.raster.sums import Sum
 from workbench.panels.display.raster.system import Numbers, drawing
@@ -33,7 +34,9 @@ def derivation(
     blocks += _strip(frame_segments(timing), float(timing.line_s), _("lines"))
     if sums:
         blocks.append(Heading(_("Sums")))
-        blocks += [Sentence(f"{s.title}: ${s.formula}$ = {s.numbers} = {s.result or s.fault}") for s in sums]
+        blocks += [
+            Sentence(f"{s.title}: ${s.formula}$ = {plain(s.numbers)} = {s.result or s.fault}") for s in sums
+        ]
     return Derivation(title, blocks, paper_inks())
 
 

@@ -27,8 +27,9 @@ class Numbers:
 
 
 class Sum(NamedTuple):
-    """One row; ``formula`` has its subscripts as the headings of tables have: x_{max}. ``fault`` says why
-    there is no result.
+    """One row; ``formula`` and ``numbers`` have their levels as the headings of tables have: x_{max}.
+
+    ``fault`` says why there is no result.
     """
 
     title: str
@@ -78,16 +79,18 @@ def worked_out(numbers: Numbers, timing: RasterTiming | None) -> list[Sum]:
 def table_of(sums: list[Sum]) -> Table:
     """The sums as a table."""
     columns = _("quantity"), _("formula"), _("numbers put in"), _("result")
-    rows = [(each.title, plain(each.formula), each.numbers, each.result or each.fault) for each in sums]
+    rows = [
+        (each.title, plain(each.formula), plain(each.numbers), each.result or each.fault) for each in sums
+    ]
     return Table(columns, rows, formulas=False)
 
 
 def text_of(sums: list[Sum]) -> str:
     """The sums as lines of text, as they are written in an exam."""
     return "".join(
-        f"{each.title}: {plain(each.formula)} = {each.numbers} = {each.result}\n"
+        f"{each.title}: {plain(each.formula)} = {plain(each.numbers)} = {each.result}\n"
         if each.result
-        else f"{each.title}: {plain(each.formula)} = {each.numbers}: {each.fault}\n"
+        else f"{each.title}: {plain(each.formula)} = {plain(each.numbers)}: {each.fault}\n"
         for each in sums
     )
 
@@ -107,7 +110,7 @@ def _memory(n: Numbers) -> list[Sum]:
             f"{n.width} \u00b7 {n.height} \u00b7 {n.bits} / 8",
             f"{_number(size)} B = {_short(size / 1024)} KiB",
         ),
-        Sum(_("Colours"), "2^b", f"2^{n.bits}", f"{of.colour_count(n.bits):,}"),
+        Sum(_("Colours"), "2^b", f"2^{{{n.bits}}}", f"{of.colour_count(n.bits):,}"),
         Sum(
             _("Address of ({x}, {y})").format(x=x, y=y),
             "y (x_{max} + 1) + x",
@@ -191,7 +194,8 @@ def _with_retraces(n: Numbers) -> list[Sum]:
             _("Share of retrace, given retraces"),
             "(H t_h + t_v) f",
             f"({n.height} \u00b7 {h} + {v}) \u00b7 {_short(n.refresh_hz)} Hz",
-            f"{float(100 * share):.1f} %",
+            "" if fault else f"{float(100 * share):.1f} %",
+            fault,
         ),
     ]
 

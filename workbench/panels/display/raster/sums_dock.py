@@ -8,7 +8,7 @@ from html import escape
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import (
-    QCheckBox,
+    QComboBox,
     QGridLayout,
     QHBoxLayout,
     QLabel,
@@ -18,8 +18,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from workbench.display import RasterTiming, raster_modes
 from workbench.exchange.tables import Table
 from workbench.language import _
+from workbench.panels.display.raster.bar import mode_title
 from workbench.panels.display.raster.setting import RasterSetting
 from workbench.panels.display.raster.sums import (
     Numbers,
@@ -32,14 +34,17 @@ from workbench.panels.display.raster.sums import (
     worked_out,
 )
 from workbench.panels.stage.card import number_field
-from workbench.rendering.subjects.raster import NUMBERS, depth_of
+from workbench.panels.stage.folding_card import fill_choices
+from workbench.rendering.subjects.raster import NUMBERS, SHEET, TYPED, depth_of
 from workbench.widgets.fields.number_field import NumberField
 from workbench.widgets.look.in_sight import InSight
+from workbench.widgets.look.tips import tell_choice
 from workbench.widgets.look.type_faces import code_font
 from workbench.widgets.tables.table_copies import put_on_clipboard
 
 _FIELDS = ("sum_width", "sum_height", "sum_bits", "sum_hz", "sum_h_us", "sum_v_us")
-_LINE = "sum_kbits"
+_BITS, _LINE = "sum_bits", "sum_kbits"
+_DIGITS = 4
 _SMALL_PX = 11
 
 
@@ -56,6 +61,11 @@ def with_levels(formula: str) -> str:
     return _LEVEL.sub(placed, escape(formula))
 
 
+def _rounded(value: Fraction) -> float:
+    """In as many digits as the results have."""
+    return float(f"{float(value):.{_DIGITS}g}")
+
+
 class SumsDock(QWidget):
     """``said``: what was copied."""
 
@@ -66,10 +76,14 @@ class SumsDock(QWidget):
         self._setting = setting
         self._pixel: Pixel = (0, 0)
         self.sums: list[Sum] = []
-        self.typed = QCheckBox(_("Numbers of my own"))
-        self.typed.setToolTip(_("Work the sums out for numbers that you type, or for the mode"))
-        self.typed.setAccessibleName(self.typed.text())
-        self.typed.clicked.connect(self._choose)
+        self.source = QComboBox()
+        self.source.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+        self.source.setAccessibleName(_("Sums of"))
+        self.source.setToolTip(
+            _("Work the sums out for what the tube scans, for a mode, or for your own numbers")
+        )
+        tell_choice(self.source)
+        self.source.activated.connect(lambda row: self._choose(self.source.itemData(row)))
         self.fields: dict[str, NumberField] = {}
         grid = QGridLayout()
         grid.setHorizontalSpacing(12)
@@ -92,7 +106,7 @@ class SumsDock(QWidget):
         column = QVBoxLayout(body)
         column.setContentsMargins(10, 8, 10, 8)
         column.setSpacing(8)
-        column.addWidget(self.typed)
+        column.addWidget(self.source)
         column.addLayout(grid)
         column.addWidget(self.fault)
         column.addLayout(self.rows)
@@ -146,29 +160,44 @@ class SumsDock(QWidget):
             self._pixel = pixel
             self.refresh()
 
-    def _choose(self, own: bool) -> None:
-        """Numbers of one's own begin with those of the mode."""
-        if own:
-            numbers = self._of_the_mode()
-            self._setting.give(
-                sums_typed=True,
-                sum_width=numbers.width,
-                sum_height=numbers.height,
-                sum_bits=numbers.bits,
-                sum_hz=float(numbers.refresh_hz),
-                sum_h_us=float(numbers.h_retrace_s * 10**6),
-                sum_v_us=float(numbers.v_retrace_s * 10**6),
-            )
-        else:
-            self._setting.give(sums_typed=False)
+    def _choose(self, source: str) -> None:
+        """Numbers of one's own begin with those that were worked out, in as many digits as are read."""
+        if source != TYPED:
+            self._setting.give(sums_typed=False, sum_mode=source)
+            return
+        numbers = self._of_the_mode()
+        self._setting.give(
+            sums_typed=True,
+            sum_width=numbers.width,
+            sum_height=numbers.height,
+            sum_bits=numbers.bits,
+            sum_hz=_rounded(numbers.refresh_hz),
+            sum_h_us=_rounded(numbers.h_retrace_s * 10**6),
+            sum_v_us=_rounded(numbers.v_retrace_s * 10**6),
+        )
 
     def _give(self, name: str, value: float) -> None:
         self._setting.give(**{name: int(value) if NUMBERS[name].whole else float(value)})
 
+    @property
+    def _mode(self) -> str:
+        """The mode that is chosen here; SHEET stands for what the tube scans."""
+        mode = str(self._setting.value("sum_mode"))
+        return mode if mode in raster_modes() else SHEET
+
+    @property
+    def _timing(self) -> RasterTiming:
+        return self._scanned if self._mode == SHEET else RasterTiming.named(self._mode)
+
+    @property
+    def _scanned(self) -> RasterTiming:
+        scan = self._setting.scan
+        return self._setting.mode if scan is None else scan.timing
+
     def _of_the_mode(self) -> Numbers:
-        scan, bits = self._setting.scan, depth_of(self._setting.subject)
-        timing = self._setting.mode if scan is None else scan.timing
-        return numbers_of(timing, bits, self._line, self._pixel)
+        asked = self._mode != SHEET
+        bits = int(self._setting.value(_BITS)) if asked else depth_of(self._setting.subject)
+        return numbers_of(self._timing, bits, self._line, self._pixel)
 
     @property
     def _line(self) -> Fraction:
@@ -188,10 +217,9 @@ class SumsDock(QWidget):
             numbers = self._own()
             self.sums = worked_out(numbers, None)
             return fault_of(numbers)
-        fault = self._setting.mode.fault
+        fault = self._timing.fault or fault_of(self._of_the_mode())
         if not fault:
-            scan = self._setting.scan
-            self.sums = worked_out(self._of_the_mode(), self._setting.mode if scan is None else scan.timing)
+            self.sums = worked_out(self._of_the_mode(), self._timing)
         return fault
 
     def refresh(self) -> None:
@@ -199,9 +227,13 @@ class SumsDock(QWidget):
         if not self.in_sight.now:
             return
         own = bool(self._setting.value("sums_typed"))
-        self.typed.setChecked(own)
+        scanned = self._scanned
+        tube = _("What the tube scans: {w} \u00d7 {h}").format(w=scanned.h_active, h=scanned.v_active)
+        modes = [(name, mode_title(name)) for name in raster_modes()]
+        choices = [(SHEET, tube), *modes, (TYPED, _("Numbers of my own"))]
+        fill_choices(self.source, choices, TYPED if own else self._mode)
         for name, field in self.fields.items():
-            field.setVisible(own or name == _LINE)
+            field.setVisible(own or name == _LINE or (name == _BITS and self._mode != SHEET))
             field.set_value(float(self._setting.value(name)))
         fault = self._work_out()
         self.fault.setText(fault)
@@ -220,8 +252,8 @@ class SumsDock(QWidget):
                 title, result, numbers = labels
                 title.setText(each.title)
                 result.setText(each.result or "\N{EN DASH}")
-                said = escape(f" = {each.numbers}" + (f": {each.fault}" if each.fault else ""))
-                numbers.setText(with_levels(each.formula) + said)
+                worked = with_levels(f"{each.formula} = {each.numbers}")
+                numbers.setText(worked + escape(f": {each.fault}" if each.fault else ""))
                 role = "error" if each.fault else "muted"
                 if numbers.property("role") != role:
                     numbers.setProperty("role", role)
