@@ -243,6 +243,6 @@ def test_a_dock_that_is_asked_for_and_another_workspace_end_it(qtbot: QtBot, win
 
 
 def test_where_nothing_is_stepped_that_is_said(window: MainWindow) -> None:
-    window.go("display")
+    window.go("home")
     window.menus.actions["read"].trigger()
     assert window.status.hover.text() == "There is no source to read here; go to a workspace with steps."
