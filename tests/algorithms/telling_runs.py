@@ -120,6 +120,7 @@ FURTHER: dict[str, tuple[Run, ...]] = {
         _filled(SLIVER, False, False),
         _filled(BETWEEN_ROWS, True, False),
         (TWO_RINGS, np.array([3, 6]), True, False),
+        _filled(FLAT, True, False),
     ),
     "scan_line_fill": (
         _filled(STEPPED, False, False),

@@ -10,8 +10,11 @@ from hypothesis import strategies as st
 
 from tests.polygons.exact import covered, rings_of, winding_left_of
 from tests.polygons.test_scan_line_exact import Rings, coordinates, polygons, quarters
+from workbench.algorithms import catalogue
 from workbench.algorithms.polygons import scan_line_crossings, scan_line_exact
 from workbench.algorithms.polygons.scan_line_words import vertices_on
+from workbench.engine.observation import Step, Steps
+from workbench.engine.recorder import record
 
 far = st.one_of(st.integers(-(2**14), 2**14).map(float), quarters)
 
@@ -64,6 +67,51 @@ def test_the_triangle_of_the_course(closed):
     rows = {y: (left, right) for y, left, right in spans(triangle, closed, False)}
     assert rows[4] == (4, 6)
     assert (7 in rows) == closed
+
+
+RUNGS = ("scan_line_crossings", "scan_line_fill", "scan_line_integer", "scan_line_exact")
+POLYGONS = {
+    "triangle": [(2, 1), (8, 1), (5, 7)],
+    "step": [(1, 1), (7, 1), (7, 3), (9, 3), (9, 5), (5, 8), (1, 5)],
+    "flat top": [(1, 1), (8, 3), (6, 6), (3, 6)],
+    "letter M": [(1, 1), (9, 1), (9, 7), (7, 7), (5, 3), (3, 7), (1, 7)],
+}
+
+
+@pytest.mark.parametrize("nonzero", [False, True])
+@pytest.mark.parametrize("closed", [False, True])
+@pytest.mark.parametrize("name", POLYGONS)
+def test_a_vertex_counts_as_on_the_other_rungs(name, closed, nonzero):
+    """Crossings, spans and counts of every row, and what is said of its vertices."""
+    points = np.array(POLYGONS[name], np.float64)
+    run = points, np.array([len(points)], np.int64), closed, nonzero
+    told = {}
+    for slug in RUNGS:
+        entry = catalogue.get(slug)
+        steps = [step for step in Steps(entry, record(entry.function, *run)) if step.row and step.row[3]]
+        told[slug] = [(step.row[0], _numbers(step.row[1]), *step.row[2:], _rule(step)) for step in steps]
+    assert told["scan_line_crossings"]
+    for slug in RUNGS[1:]:
+        assert told[slug] == told["scan_line_crossings"]
+
+
+def _numbers(crossings: str) -> list[float]:
+    """2.5 of 2.5, and of 2 + 3/6."""
+    each = [x.split(" + ") for x in crossings.split(", ") if x]
+    return [round(float(sum(map(Fraction, parts))), 3) for parts in each]
+
+
+def _rule(step: Step) -> str:
+    """What is said of the vertices of a row and how they count."""
+    vertices = re.match(r"Row \S+ has .*?\.(?= |$)", "".join(part.text for part in step.sentence))
+    return vertices[0] if vertices else ""
+
+
+def test_under_closed_the_top_of_the_triangle_counts_twice():
+    triangle = np.array(POLYGONS["triangle"], np.float64)
+    entry = catalogue.get("scan_line_crossings")
+    steps = Steps(entry, record(entry.function, triangle, np.array([3]), True, False))
+    assert [step.row for step in steps if step.row][-1] == (7, "5, 5", "5", 1)
 
 
 @given(st.lists(st.tuples(coordinates, coordinates), max_size=2))

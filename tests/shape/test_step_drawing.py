@@ -53,6 +53,7 @@ CHOSEN = {
         "midpoint_ellipse",
         "scan_line_crossings",
     },
+    "document/samples/visibility.py": {"octree_of_solid"},
     "shell/tour.py": {
         "boundary_fill_4",
         "bresenham_line",

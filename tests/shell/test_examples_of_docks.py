@@ -3,11 +3,13 @@
 from collections.abc import Iterator
 
 import pytest
+from msgspec.structs import replace
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QPushButton
 from pytestqt.qtbot import QtBot
 
-from workbench.document.samples.examples import blank_sheet, example
+from workbench.algorithms import catalogue
+from workbench.document.samples.examples import Example, blank_sheet, example, examples
 from workbench.panels.shared.inspector import InspectorPanel
 from workbench.panels.stage.panel import FigurePanel
 from workbench.session.session import Session
@@ -67,3 +69,21 @@ def test_an_example_is_taken_hold_of_whatever_was_drawn_before(window: MainWindo
     assert panel.tool.name == "select"
     session.new()
     assert panel.tool.name == drawing
+
+
+@pytest.mark.parametrize("chosen", [each for each in examples() if each.entry], ids=lambda each: each.slug)
+def test_an_example_is_run_under_what_it_is_about_whatever_was_run_before(
+    window: MainWindow, qtbot: QtBot, chosen: Example
+) -> None:
+    session = window.session
+    for _time in range(2):
+        window.open_example(chosen.slug)
+        qtbot.waitUntil(lambda: session.run.entry is not None and session.run.entry.slug == chosen.entry)
+        session.update_state(subject=replace(session.subject, entry="depth_buffer"))
+        qtbot.waitUntil(lambda: session.run.entry.slug == "depth_buffer")
+
+
+def test_an_example_names_an_entry_that_there_is() -> None:
+    named = {each.entry for each in examples() if each.entry}
+    assert "octree_of_solid" in named
+    assert named <= {entry.slug for entry in catalogue.entries()}

@@ -60,3 +60,17 @@ def test_a_command_is_found_by_what_its_tip_says(qtbot: QtBot) -> None:
     rows = [palette.list.item(row).text() for row in range(palette.list.count())]
     assert rows == ["Export this run...", "Export the animation..."]
     window.close()
+
+
+@pytest.mark.parametrize(
+    ("typed", "title"),
+    [("octree", "A ring and a ball in cubes"), ("leaks", "A boundary that leaks"), ("islands", "A pond")],
+)
+def test_an_example_is_found_by_what_it_shows(qtbot: QtBot, typed: str, title: str) -> None:
+    window = make_window()
+    qtbot.addWidget(window)
+    window.attach(Session(window, example_document()))
+    palette = CommandPalette.open_over(window)
+    qtbot.keyClicks(palette.field, typed)
+    rows = [palette.list.item(row).text() for row in range(palette.list.count())]
+    assert any(row.startswith(f"Example: {title}") for row in rows)

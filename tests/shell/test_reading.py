@@ -20,7 +20,7 @@ from workbench.shell.window import MainWindow
 from workbench.shell.workspaces import panel_of, workspaces
 
 STEPPED = [each.slug for each in workspaces() if each.steps]
-LINES, ROWS = 20, 8
+LINES, ROWS, ROWS_OF_A_STRUCTURE = 20, 8, 2
 
 
 @pytest.fixture(scope="module")
@@ -117,7 +117,7 @@ def test_source_and_tables_have_half_and_the_docks_come_back(
     qtbot.wait(1)
     parts = inspector(window, slug)
     half = page(window).widget(1)
-    assert window.width() * 0.48 <= half.width() <= window.width() * 0.52
+    assert window.width() * 0.47 <= half.width() <= window.width() * 0.52
     for view in (middle, parts.source, parts.hand, parts.variables):
         assert view.isVisible()
         assert page(window).isAncestorOf(view)
@@ -142,10 +142,66 @@ def test_in_a_narrow_window_the_tables_are_tabs_below_the_source(qtbot: QtBot, w
     window.go("draw")
     window.menus.actions["read"].trigger()
     qtbot.wait(1)
+    assert_stacked(window)
+
+
+def assert_stacked(window: MainWindow) -> None:
     parts = inspector(window, "draw")
     at = [view.mapTo(page(window), view.rect().topLeft()) for view in (parts.source, parts.hand)]
     assert at[0].y() + parts.source.height() <= at[1].y()
-    assert [tabs.count() for tabs in page(window).findChildren(QTabWidget)] == [2, 2]
+    assert at[0].x() == at[1].x()
+    assert [tabs.count() for tabs in visible_tabs(window)] == [2, 2]
+
+
+def visible_tabs(window: MainWindow) -> list[QTabWidget]:
+    return [tabs for tabs in page(window).findChildren(QTabWidget) if tabs.isVisible()]
+
+
+def test_a_window_that_becomes_narrow_or_wide_has_its_page_arranged_anew(
+    qtbot: QtBot, window: MainWindow
+) -> None:
+    window.go("draw")
+    window.menus.actions["read"].trigger()
+    qtbot.wait(1)
+    parts = inspector(window, "draw")
+    for _turn in range(2):
+        window.resize(960, 540)
+        qtbot.wait(1)
+        assert_stacked(window)
+        window.resize(1280, 680)
+        qtbot.wait(1)
+        source, hand, values = (
+            view.mapTo(page(window), view.rect().topLeft())
+            for view in (parts.source, parts.hand, parts.values)
+        )
+        assert source.x() + parts.source.width() <= hand.x()
+        assert hand.y() + parts.hand.height() <= values.y()
+        assert sorted(tabs.count() for tabs in visible_tabs(window)) == [1, 1, 2]
+    window.menus.actions["read"].trigger()
+    qtbot.wait(1)
+    assert any(dock.isAncestorOf(parts.values) for dock in window.arrangements.docks("draw"))
+
+
+# Where a caption is long, and where there are two structures
+@pytest.mark.parametrize("slug", ["piercing-planes", "two-interiors", "pond"])
+def test_each_structure_has_room_for_two_rows_and_leaves_the_source_its_width(
+    slug: str, qtbot: QtBot, window: MainWindow
+) -> None:
+    window.open_example(slug)
+    qtbot.waitUntil(lambda: window.session.run.recording is not None)
+    window.menus.actions["read"].trigger()
+    parts = inspector(window, window.place)
+    qtbot.waitUntil(lambda: bool(parts.structures.parts) and parts.structures.isVisible())
+    assert parts.source.width() > 0.55 * page(window).widget(1).width()
+    rows_px = ROWS_OF_A_STRUCTURE * parts.variables.view.verticalHeader().defaultSectionSize()
+    for number, (label, view, _model) in enumerate(parts.structures.parts.values()):
+        seen = view.viewport()
+        qtbot.waitUntil(
+            lambda seen=seen, first=number == 0: (
+                (seen.visibleRegion().boundingRect() if first else seen.rect()).height() >= rows_px
+            )
+        )
+        assert label.height() >= label.heightForWidth(label.width())
 
 
 def test_the_key_reads_and_the_button_ends_it(qtbot: QtBot, window: MainWindow) -> None:
@@ -187,6 +243,6 @@ def test_a_dock_that_is_asked_for_and_another_workspace_end_it(qtbot: QtBot, win
 
 
 def test_where_nothing_is_stepped_that_is_said(window: MainWindow) -> None:
-    window.go("display")
+    window.go("home")
     window.menus.actions["read"].trigger()
     assert window.status.hover.text() == "There is no source to read here; go to a workspace with steps."

@@ -139,7 +139,8 @@ def offers(window: "MainWindow") -> list[Offer]:
                 made.append(Offer(text, "", partial(window.open_question, question), also))
         for example in examples():
             text = _("Example: {title}").format(title=example.title)
-            made.append(Offer(text, "", partial(window.open_example, example.slug)))
+            also = (example.description, example.slug)
+            made.append(Offer(text, "", partial(window.open_example, example.slug), also))
         sheets = window.session.document.sheets
         for sheet in sheets if len(sheets) > 1 else ():
             text = _("Sheet: {name}").format(name=legible(sheet.name))

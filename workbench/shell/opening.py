@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from msgspec.structs import replace
+
 from workbench.document.samples.examples import Example, example
 
 if TYPE_CHECKING:
@@ -47,7 +49,11 @@ def _enter(
     """Show a workspace, in it ``page`` or the one that an example is about, there a step, a dock in front."""
 
     def arrive() -> None:
-        window.panels(workspace)[0].show_page(page or (chosen.page if workspace == chosen.workspace else ""))
+        at_home = workspace == chosen.workspace
+        window.panels(workspace)[0].show_page(page or (chosen.page if at_home else ""))
+        if chosen.entry and at_home and page in ("", chosen.page):
+            session = window.session
+            session.update_state(subject=replace(session.subject, entry=chosen.entry), step=0)
         if step is not None:
             window.session.update_state(step=step)
         if dock or chosen.dock:

@@ -3,24 +3,24 @@
 from collections.abc import Collection, Mapping, Sequence
 
 from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QSplitter, QTabWidget, QToolButton, QWidget
 
 from workbench.language import _
 from workbench.widgets.look.icons import set_icon
 
-SOURCE, HAND_TABLE = "source", "hand_table"
+SOURCE, HAND_TABLE, VARIABLES = "source", "hand_table", "variables"
 _BESIDE = (SOURCE, "about")
-_TABLES = (HAND_TABLE, "variables")
 _NARROW_PX = 1100
 _SHARES = (0.62, 0.38)
-_TABLE_SHARES = (560, 440)
+_TABLE_SHARES = (500, 500)
 
 
 class Reading(QSplitter):
     """The ``middle`` of a workspace, and beside it source and tables, side by side in ``room`` pixels.
 
     ``parts``: title and widget of each view by the name of its dock; where they came from takes them back.
-    In a narrow window the tables are tabs under the source. ``ended``: the button was pressed again.
+    While the window is narrow the tables are tabs under the source. ``ended``: the button was pressed again.
     """
 
     ended = Signal()
@@ -38,24 +38,39 @@ class Reading(QSplitter):
         self.button.setToolTip(_("Back to the docks as they were (R)"))
         set_icon(self.button, "book-open")
         self.button.clicked.connect(self.ended)
-        narrow = room < _NARROW_PX
-        half = QSplitter(Qt.Orientation.Vertical if narrow else Qt.Orientation.Horizontal)
+        self._half = QSplitter()
         source = self._tabs(parts, _BESIDE)
         source.setCornerWidget(self.button)
-        half.addWidget(source)
-        if narrow:
-            half.addWidget(self._tabs(parts, _TABLES))
-            half.setSizes([room, room])
-        else:
-            tables = QSplitter(Qt.Orientation.Vertical)
-            for name in _TABLES:
-                tables.addWidget(self._tabs(parts, (name,)))
-            tables.setSizes(_TABLE_SHARES)
-            half.addWidget(tables)
-            half.setSizes([round(room / 2 * share) for share in _SHARES])
-        for each in (half, *half.findChildren(QSplitter)):
+        self._half.addWidget(source)
+        self._tables = QSplitter(Qt.Orientation.Vertical)
+        self._variables = parts[VARIABLES]
+        self._upper, self._lower = (self._tabs(parts, (name,)) for name in (HAND_TABLE, VARIABLES))
+        self._tables.addWidget(self._upper)
+        self._tables.addWidget(self._lower)
+        self._half.addWidget(self._tables)
+        for each in (self._half, self._tables):
             each.setChildrenCollapsible(False)
-        self.addWidget(half)
+        self.addWidget(self._half)
+        self._narrow = False
+        self._arrange(room)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Arrange the tables anew where the window became narrow or wide."""
+        super().resizeEvent(event)
+        if self._narrow != (self.width() < _NARROW_PX):
+            self._arrange(self.width())
+
+    def _arrange(self, room: int) -> None:
+        """Put the tables beside the source, or in a narrow window as tabs under it."""
+        self._narrow = room < _NARROW_PX
+        self._half.setOrientation(Qt.Orientation.Vertical if self._narrow else Qt.Orientation.Horizontal)
+        title, variables = self._variables
+        tabs = self._upper if self._narrow else self._lower
+        if tabs.indexOf(variables) < 0:
+            tabs.addTab(variables, title)
+        self._lower.setVisible(not self._narrow)
+        self._half.setSizes([round(room * share) for share in _SHARES])
+        self._tables.setSizes(_TABLE_SHARES)
         self.setSizes([room // 2, room // 2])
 
     @staticmethod
@@ -70,4 +85,4 @@ class Reading(QSplitter):
 
 def can_be_read(names: Collection[str]) -> bool:
     """Whether all views that are read are among the docks of these names."""
-    return {*_BESIDE, *_TABLES} <= {*names}
+    return {*_BESIDE, HAND_TABLE, VARIABLES} <= {*names}

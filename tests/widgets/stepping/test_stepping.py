@@ -1,12 +1,13 @@
 """Source, variables, hand table, structures, sentence and step bar as a person uses them, over one run."""
 
 import inspect
+import re
 from collections.abc import Iterator
 
 import numpy as np
 import pytest
 from PySide6.QtCore import QCoreApplication, QEvent, QPoint, Qt
-from PySide6.QtGui import QFontMetrics, QGuiApplication
+from PySide6.QtGui import QFontMetrics, QGuiApplication, QTextDocument
 from PySide6.QtWidgets import QAbstractButton, QComboBox, QLineEdit, QSlider, QTableView, QWidget
 from pytestqt.qtbot import QtBot
 
@@ -14,7 +15,7 @@ from workbench.algorithms import catalogue
 from workbench.document.subjects import Subject
 from workbench.rendering.mapping import Call
 from workbench.session.run import Run
-from workbench.widgets.look.tokens import DARK, LIGHT, theme
+from workbench.widgets.look.tokens import CAPTION_PX, DARK, LIGHT, TITLE_PX, theme
 from workbench.widgets.look.type_faces import cell_font
 from workbench.widgets.stepping.source_view import SourceView
 from workbench.widgets.stepping.step_bar import Steps
@@ -208,7 +209,7 @@ def test_ask_first_hides_the_rows_to_come(run: Run, qtbot: QtBot) -> None:
 
 def test_structures_follow_the_step(run: Run, qtbot: QtBot) -> None:
     table = StructureTable(run)
-    assert table.isHidden()
+    assert not table.parts
     fill = catalogue.get("boundary_fill_4")
     follow(qtbot, run, "boundary_fill_4", *fill.example)
     run.go(4)
@@ -216,7 +217,6 @@ def test_structures_follow_the_step(run: Run, qtbot: QtBot) -> None:
     assert run.moment is not None
     stack = [tuple(map(str, item)) for item in run.step.tables[next(iter(table.parts))][1]]  # type: ignore[union-attr]
     assert list(zip(column(view, 0), column(view, 1), strict=True)) == stack
-    assert not table.isHidden()
 
 
 def test_structures_of_another_algorithm_go_with_it(run: Run, qtbot: QtBot) -> None:
@@ -310,6 +310,28 @@ def test_the_sentence_has_links_and_two_lines(run: Run, bar: Steps, qtbot: QtBot
     assert pointed.args == [(23, 12)]
     run.last()
     assert sentence.height() == height
+
+
+@pytest.mark.parametrize("width", [960, 1280])
+def test_a_long_sentence_is_written_smaller_until_all_of_it_is_seen(
+    run: Run, bar: Steps, qtbot: QtBot, width: int
+) -> None:
+    bar.resize(width, 110)
+    sentence = bar.sentence
+    sizes = []
+    for slug in ("bresenham_line", "depth_buffer"):
+        follow(qtbot, run, slug, *catalogue.get(slug).example)
+        run.first()
+        document = QTextDocument()
+        document.setDefaultFont(sentence.font())
+        document.setDocumentMargin(0)
+        document.setHtml(sentence.text())
+        document.setTextWidth(sentence.contentsRect().width())
+        assert document.toPlainText() == sentence.plain
+        assert document.size().height() <= sentence.contentsRect().height()
+        sizes.append(int(re.search(r"font-size:(\d+)px", sentence.text())[1]))  # type: ignore[index]
+    assert sizes[0] == TITLE_PX >= sizes[1] >= CAPTION_PX
+    assert sizes[1] < TITLE_PX or width > 960
 
 
 def test_everything_has_a_name_a_tooltip_and_a_place_in_the_key_order(

@@ -10,6 +10,7 @@ from workbench.algorithms.marks import Mark
 from workbench.algorithms.polygons.row_crossings import Crossing
 from workbench.algorithms.polygons.scan_line_marks import row_marks
 from workbench.algorithms.polygons.scan_line_words import (
+    VERTEX_RULE,
     listed,
     not_among,
     row_of_box,
@@ -32,7 +33,7 @@ _TABLES = {
 
 
 def crossed(crossings: Sequence[Crossing]) -> list[float]:
-    """Where edges cross the row; those that touch it or lie along it do not."""
+    """Where edges cross the row; those that lie along it do not."""
     return [crossing.x for crossing in crossings if crossing.winding != 0]
 
 
@@ -67,9 +68,9 @@ def _filled(when: str, sentence: str) -> View:
     return View(block=_FILL, when=when, sentence=sentence)
 
 
-def _vertices(kind: str, sentence: str) -> View:
+def _vertices(kind: str, condition: str, sentence: str) -> View:
     named = f"vertices_on(vertices, ring_ends, y, '{kind}')"
-    return _crossed(named, f"Row {{y}} has {{{named}}}: " + sentence)
+    return _crossed(f"{condition}{named}", f"Row {{y}} has {{{named}}}: " + sentence)
 
 
 VIEW_FUNCTIONS = (
@@ -93,18 +94,16 @@ VIEWS = (
         block="Find the lowest and the highest row",
         sentence="The polygon reaches from row {lowest} to row {highest}.",
     ),
-    _vertices("top", "the edges on both sides end there, so neither counts."),
-    _vertices("bottom", "the edges on both sides begin there, so both count."),
-    _vertices("through", "one edge ends and the next goes on, so only one counts."),
-    _crossed("len(crossings) == 0", "Row {y} meets none of the {len(after)} edges."),
-    _crossed("True", "Row {y} crosses {len(crossed(crossings))} of the {len(after)} edges."),
+    *(_vertices(*rule) for rule in VERTEX_RULE),
+    _crossed("len(crossings) == 0", "Row {y} meets none of the {len(vertices)} edges."),
+    _crossed("len(crossed(crossings)) == 0", "Row {y} has level edges only: nothing crosses it."),
+    _crossed("True", "Row {y} crosses {len(crossed(crossings))} of the {len(vertices)} edges."),
     View(block=_SORT, when="crossed(crossings)", sentence=f"From left to right: x = {{{_XS}}}."),
     _filled("len(crossings) == 0", "Nothing is filled."),
     _filled(f"len({_SPANS}) == 0", "No pixel's centre lies between them."),
-    _filled("len(crossed(crossings)) == 0", f"Closed fills what lies on the row: {{spans_text({_SPANS})}}."),
     _filled(
         "closed and len(crossed(crossings)) < len(crossings)",
-        f"With what lies on the row besides, closed fills {{spans_text({_SPANS})}}.",
+        f"With the level edge on the row, closed fills {{spans_text({_SPANS})}}.",
     ),
     _filled(
         "nonzero",

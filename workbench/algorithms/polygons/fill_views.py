@@ -18,6 +18,7 @@ from workbench.algorithms.polygons.fill_words import (
 from workbench.algorithms.polygons.row_drift import Drift, drifted, drifts
 from workbench.algorithms.polygons.scan_line_marks import row_marks
 from workbench.algorithms.polygons.scan_line_words import (
+    VERTEX_RULE,
     listed,
     not_among,
     row_of_box,
@@ -105,10 +106,7 @@ def fill_views(slug: str, corners: str, update: str, rounds: bool) -> tuple[View
     )
     return (
         *edge_table_views(tables),
-        vertices("top", "closed and ", "the edges on both sides end there, so both count, as a pair."),
-        vertices("top", "", "the edges on both sides end there, and half-open leaves out upper ends."),
-        vertices("bottom", "", "the edges on both sides begin there, so both count, as a pair."),
-        vertices("through", "", "one edge ends and the next goes on, so only one counts."),
+        *(vertices(*rule) for rule in VERTEX_RULE),
         updated("len(active) == 0", "No edge is on row {y}."),
         updated(f"len({_ON_ROW}) == 0", "Row {y} has level edges only: nothing crosses it."),
         *([beginning] if rounds else []),

@@ -21,7 +21,7 @@ Placed = TypeVar("Placed", bound=HasX)
 class Crossing(NamedTuple):
     """What an edge has on a row: ``x`` to ``x_end``, one point where it crosses.
 
-    ``winding`` is 1 for an edge that goes up, -1 down, 0 where it only touches the row or lies along it.
+    ``winding`` is 1 for an edge that goes up, -1 down, 0 where it lies along the row.
     """
 
     x: float

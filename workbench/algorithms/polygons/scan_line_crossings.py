@@ -1,7 +1,7 @@
 """The scan-line polygon fill as it is first explained: every row is crossed with every edge anew.
 
-after       for each vertex, the number of the next one round its ring
-crossings   what of the edges is on the row: from x to x_end, and the way it goes; 0 is on it, but not crossed
+edges       the edges that count on a row: both ends of each, its first and last row, and the way it goes
+crossings   what of the edges is on the row: from x to x_end, and the way it goes; 0 lies along it
 winding     how the edges crossed so far go round the point; 0 is outside
 left        first pixel of the span that is open
 covered     last pixel of the row up to the last crossing, that one's own under closed
@@ -22,11 +22,11 @@ from workbench.algorithms.polygons.row_crossings import (
     Crossing,
     corner,
     last_pixel,
-    next_vertices,
     rows_of,
     sort_by_x,
 )
 from workbench.algorithms.polygons.scan_line_words import COLUMNS
+from workbench.algorithms.polygons.sides import sides
 
 
 def scan_line_crossings(
@@ -35,8 +35,8 @@ def scan_line_crossings(
     """Fill a polygon row by row: find all crossings with its edges, sort them, fill between pairs of them.
 
     A pixel belongs to it by its centre: half_open has y_low <= y < y_high and x_left <= x < x_right; closed
-    has all that is inside or on an edge. So a vertex where the edges turn back counts twice, or not at all,
-    and one where they go on counts once.
+    has all that is inside or on an edge. A vertex where the polygon turns back counts twice, one where it
+    goes on counts once: an edge ends a row earlier where the next goes on upwards, under half_open always.
 
     Args: vertices (n, 2) in pixels, within 2^20; ring_ends (m,): one past each ring's last vertex; closed or
     half_open; inside where the winding number is not zero or is odd (even_odd).
@@ -45,22 +45,20 @@ def scan_line_crossings(
     """
     # Find the lowest and the highest row
     lowest, highest = rows_of(vertices)
-    after = next_vertices(vertices, ring_ends)
+    edges = sides(vertices, ring_ends, closed)
 
     for y in range(lowest, highest + 1):
         # Find all crossings of the row with the edges
         crossings: list[Crossing] = []
-        for k in range(len(after)):
-            x0, y0 = corner(vertices, k)
-            x1, y1 = corner(vertices, after[k])
-            if y0 <= y < y1 or y1 <= y < y0:
-                x = x0 + (y - y0) * (x1 - x0) / (y1 - y0)
-                crossings.append(Crossing(x, x, 1 if y0 < y1 else -1))
-            elif closed and y0 == y == y1:
-                crossings.append(Crossing(min(x0, x1), max(x0, x1), 0))
-            elif closed and y == max(y0, y1):
-                x = x0 if y == y0 else x1
-                crossings.append(Crossing(x, x, 0))
+        for edge in edges:
+            if edge.y_start <= y <= edge.y_end:
+                x0, y0 = corner(vertices, edge.low)
+                x1, y1 = corner(vertices, edge.high)
+                if y0 == y1:
+                    crossings.append(Crossing(min(x0, x1), max(x0, x1), 0))
+                else:
+                    x = x0 + (y - y0) * (x1 - x0) / (y1 - y0)
+                    crossings.append(Crossing(x, x, edge.winding))
 
         # Sort the crossings from left to right
         sort_by_x(crossings)
@@ -103,6 +101,10 @@ ENTRY = Entry(
         Law(
             "Each pixel comes once, bottom to top and left to right.",
             "polygons/test_scan_line_crossings.py::test_pixels_come_once_bottom_to_top_and_left_to_right",
+        ),
+        Law(
+            "A vertex counts twice where the polygon turns back and once where it goes on.",
+            "polygons/test_scan_line_crossings.py::test_a_vertex_counts_as_on_the_other_rungs",
         ),
     ),
     not_laws=(

@@ -3,6 +3,7 @@
 from workbench.algorithms.entry import View
 from workbench.algorithms.polygons.fill_views import edge_table_views
 from workbench.algorithms.polygons.scan_line_words import (
+    VERTEX_RULE,
     active_rows,
     crossings,
     edge_rows,
@@ -73,10 +74,7 @@ VIEW_FUNCTIONS = (
 )
 VIEWS = (
     *edge_table_views(_TABLES),
-    _vertices("top", "closed and ", "the edges on both sides end there, so both count, as a pair."),
-    _vertices("top", "", "the edges on both sides end there, and half-open leaves out upper ends."),
-    _vertices("bottom", "", "the edges on both sides begin there, so both count, as a pair."),
-    _vertices("through", "", "one edge ends and the next goes on, so only one counts."),
+    *(_vertices(*rule) for rule in VERTEX_RULE),
     _filled(
         f"len({_CROSSINGS}) == 0",
         f"Row {{row}} has level edges only: nothing crosses it, and closed fills {{spans_text({_SPANS})}}.",

@@ -21,6 +21,14 @@ COLUMNS = ("y", "x of the crossings", "pixels", "count")
 
 LEVEL = "level"
 
+# Which vertices of vertices_on, under which condition, and how they count
+VERTEX_RULE = (
+    ("top", "closed and ", "the edges on both sides end there, so both count, as a pair."),
+    ("top", "", "the edges on both sides end there, and half-open leaves out upper ends."),
+    ("bottom", "", "the edges on both sides begin there, so both count, as a pair."),
+    ("through", "", "one edge ends and the next goes on, so only one counts."),
+)
+
 _LISTED = 12
 _KINDS = ("bottom", "through", "top")
 
@@ -51,8 +59,13 @@ def row_spans(
 
 
 def spans_text(spans: Sequence[tuple[int, int]]) -> str:
-    """Spans as the course writes them: 4 to 6; a single pixel by itself."""
-    return listed([f"{a} to {b}".replace("-", "−") if a < b else f"{a}".replace("-", "−") for a, b in spans])
+    """Spans as the course writes them: 4 to 6; a single pixel by itself; those side by side as one."""
+    joined: list[tuple[int, int]] = []
+    for left, right in spans:
+        if joined and joined[-1][1] == left - 1:
+            left = joined.pop()[0]
+        joined.append((left, right))
+    return listed([f"{a} to {b}".replace("-", "−") if a < b else f"{a}".replace("-", "−") for a, b in joined])
 
 
 def span_pixels(spans: Sequence[tuple[int, int]], y: int) -> Pixels:

@@ -30,7 +30,8 @@ class Example:
     """A built-in document: ``slug`` names it in links, ``workspace`` is the one it opens in.
 
     ``page`` is the one of that workspace's pages, where it has several and this is not the first; ``frame``
-    is the one to begin in, ``dock`` the one that tells of what it is about.
+    is the one to begin in, ``dock`` the one that tells of what it is about; ``entry`` is the slug that it is
+    run under where the page has several and this is not the first.
     """
 
     slug: str
@@ -41,6 +42,7 @@ class Example:
     page: str = ""
     frame: int = 0
     dock: str = ""
+    entry: str = ""
 
 
 def document_of(

@@ -55,6 +55,7 @@ def visibility_examples() -> list[Example]:
             "space",
             _solids(),
             PAGE,
+            entry="octree_of_solid",
         ),
     ]
 

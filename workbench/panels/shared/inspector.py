@@ -2,7 +2,7 @@
 
 from PySide6.QtCore import Qt, Signal, SignalInstance
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QDockWidget, QSplitter, QWidget
+from PySide6.QtWidgets import QDockWidget, QWidget
 
 from workbench.language import _
 from workbench.panels.panel import DockPart, PlainPanel, Said
@@ -13,6 +13,7 @@ from workbench.widgets.stepping.source_view import SourceView
 from workbench.widgets.stepping.step_bar import Steps
 from workbench.widgets.tables.hand_table import HandTable
 from workbench.widgets.tables.structure_table import StructureTable
+from workbench.widgets.tables.values import Values
 from workbench.widgets.tables.variable_table import VariableTable
 
 
@@ -38,10 +39,7 @@ class InspectorPanel(PlainPanel, QWidget):
         self.variables = VariableTable(run)
         self.structures = StructureTable(run)
         self.hand = HandTable(run)
-        self.values = QSplitter(Qt.Orientation.Vertical)
-        self.values.addWidget(self.variables)
-        self.values.addWidget(self.structures)
-        self.values.setChildrenCollapsible(False)
+        self.values = Values(self.variables, self.structures)
         self._steps = Steps(run)
         self._steps.sentence.variable_chosen.connect(self._show_variable)
         self._steps.sentence.variable_pointed.connect(self.variables.point_at)
@@ -55,6 +53,7 @@ class InspectorPanel(PlainPanel, QWidget):
 
     def _show_variable(self, name: str) -> None:
         self.variables.point_at(name)
+        self.values.show_variables()
         dock: QWidget | None = self.variables
         while dock is not None and not isinstance(dock, QDockWidget):
             dock = dock.parentWidget()

@@ -1,17 +1,17 @@
-"""Two fixed lines that say what this step does; the numbers in them are links."""
+"""What this step does, in the height of two lines; the numbers in it are links."""
 
 import re
 from html import escape
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QAccessible, QAccessibleEvent
+from PySide6.QtGui import QAccessible, QAccessibleEvent, QFont, QFontMetrics, QResizeEvent
 from PySide6.QtWidgets import QLabel, QWidget
 
 from workbench.engine.sentences import Part
 from workbench.language import _
 from workbench.session.asking import Answer
 from workbench.session.run import Run
-from workbench.widgets.look.tokens import TITLE_PX, theme, tokens
+from workbench.widgets.look.tokens import CAPTION_PX, TITLE_PX, theme, tokens
 
 # One letter with one below it, as in r_x; two_dy is a name of the program.
 _SUBSCRIPT = re.compile(r"(?<![A-Za-z_])([A-Za-z])_([a-z0-9])(?![A-Za-z0-9_])")
@@ -116,7 +116,27 @@ class SentenceView(QLabel):
             else:
                 style = f"color:{accent}; text-decoration:none; font-weight:600"
                 pieces.append(f'<a href="{number}" style="{style}">{text}</a>')
-        self.setText("".join(pieces))
+        self.setText(f'<span style="font-size:{self._fitting_px()}px">{"".join(pieces)}</span>')
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Write a long sentence as large as it fits."""
+        super().resizeEvent(event)
+        if event.size().width() != event.oldSize().width():
+            self._write()
+
+    def _fitting_px(self) -> int:
+        """The largest type in which the whole sentence fits, its numbers being bold."""
+        room = self.contentsRect()
+        font = QFont(self.font())
+        font.setBold(any(part.link is not None for part in self._parts))
+        for size in range(TITLE_PX, CAPTION_PX, -1):
+            font.setPixelSize(size)
+            box = QFontMetrics(font).boundingRect(
+                0, 0, room.width(), room.height(), Qt.TextFlag.TextWordWrap, self._plain
+            )
+            if box.height() <= room.height():
+                return size
+        return CAPTION_PX
 
     def _announce(self, text: str) -> None:
         if not QAccessible.isActive() or not text:

@@ -2,9 +2,9 @@
 
 from typing import Any
 
-from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, Qt
+from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, QSize, Qt, Signal
 from PySide6.QtGui import QPainter, QPaintEvent
-from PySide6.QtWidgets import QLabel, QTableView, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QSizePolicy, QTableView, QVBoxLayout, QWidget
 
 from workbench.engine.observation import Table
 from workbench.exchange.tables import shown, typeset
@@ -16,6 +16,9 @@ from workbench.widgets.tables.table_columns import FittedColumns
 from workbench.widgets.tables.table_copies import CopiedTable
 
 Index = QModelIndex | QPersistentModelIndex
+_ROW_PX = 22
+_HEADING_PX = 14
+_LEAST_ROWS = 2
 
 
 class StructureModel(QAbstractTableModel):
@@ -61,8 +64,19 @@ class StructureModel(QAbstractTableModel):
         return code_font(12) if role == Qt.ItemDataRole.FontRole else None
 
 
+class _FewRows(CopiedTable):
+    def sizeHint(self) -> QSize:
+        """As low as it may be; the room that there is makes it higher."""
+        return QSize(super().sizeHint().width(), self.minimumHeight())
+
+
 class StructureTable(QWidget):
-    """A titled table for each structure of the step; hidden when the algorithm declares none."""
+    """A titled table for each structure of the step; without ``parts`` when the algorithm declares none.
+
+    ``changed``: the algorithm declares others.
+    """
+
+    changed = Signal()
 
     def __init__(self, run: Run, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -80,19 +94,23 @@ class StructureTable(QWidget):
     def _take_run(self) -> None:
         entry = self._run.entry
         titles = list(dict.fromkeys(t for view in entry.views for t in view.tables)) if entry else []
-        if titles != list(self.parts):
+        others = titles != list(self.parts)
+        if others:
             for label, view, _model in self.parts.values():
                 label.deleteLater()
                 view.deleteLater()  # and with it its model
             self.parts = {title: self._part(title) for title in titles}
-        self.setVisible(bool(titles))
         self.refresh()
+        if others:
+            self.changed.emit()
 
     def _part(self, title: str) -> tuple[QLabel, QTableView, StructureModel]:
         label = QLabel(_(title))
         label.setProperty("role", "caption")
-        label.setContentsMargins(8, 6, 8, 2)
-        view = CopiedTable()
+        label.setContentsMargins(8, 4, 8, 0)
+        label.setWordWrap(True)
+        label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        view = _FewRows()
         model = StructureModel(view)
         view.setModel(model)
         view.setAccessibleName(_(title))
@@ -100,12 +118,17 @@ class StructureTable(QWidget):
         view.setShowGrid(False)
         view.setTabKeyNavigation(False)
         view.verticalHeader().hide()
-        view.verticalHeader().setDefaultSectionSize(22)
+        view.verticalHeader().setDefaultSectionSize(_ROW_PX)
+        heading = view.horizontalHeader().fontMetrics().height() + _HEADING_PX
+        bar = view.horizontalScrollBar().sizeHint().height()
+        view.setMinimumHeight(heading + _LEAST_ROWS * _ROW_PX + bar)
         FittedColumns(view)
         view.setSelectionBehavior(QTableView.SelectionBehavior.SelectRows)
         view.setSelectionMode(QTableView.SelectionMode.ContiguousSelection)
         self._column.addWidget(label)
         self._column.addWidget(view, 1)
+        for each in (label, view):
+            each.show()
         return label, view, model
 
     def paintEvent(self, event: QPaintEvent) -> None:
