@@ -33,7 +33,7 @@ OFTEN_HIT = (
 
 @dataclass
 class Hand:
-    """A hand over ``window`` that goes by its own random numbers, and keeps to a ``workspace`` if it has one."""
+    """A hand over ``window`` that goes by its own random numbers, mostly in ``workspace`` if it has one."""
 
     window: Any
     rng: Random

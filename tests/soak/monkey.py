@@ -165,8 +165,8 @@ class Monkey(QObject):
                 before.close()
         self._window.session.new()
         self._window.resize(*SIZE)
-        for workspace in (*workspaces(), workspaces()[0]):  # each keeps what it showed until it is entered
-            self._window.go(workspace.slug)
+        for each in (*workspaces(), workspaces()[0]):  # each keeps what it showed until it is entered
+            self._window.go(each.slug)
             QTest.qWait(_REST_MS)
         for _again in range(3):
             gc.collect()
@@ -243,7 +243,7 @@ def run(seed: int, numbers: list[int], without: set[str], within: str, log: Text
     window.session.undo_stack.setClean()
     window.removeEventFilter(monkey._keeper)
     window.close()
-    application.clipboard().clear()  # offscreen it outlives the interpreter, which what Python made there does not
+    application.clipboard().clear()  # offscreen it outlives the interpreter
     for megabytes in monkey.megabytes:
         print(f"{megabytes:.1f} MB", flush=True)
     return monkey.faults.said

@@ -71,8 +71,9 @@ def _weights(offset: Floats) -> tuple[Floats, Floats, Floats]:
 
 def _taps(sigma_px: float) -> Floats:
     reach = math.ceil(_NEAR * sigma_px)
-    taps = np.exp(-0.5 * (np.arange(-reach, reach + 1) / sigma_px) ** 2)
-    return taps / taps.sum()
+    taps: Floats = np.exp(-0.5 * (np.arange(-reach, reach + 1) / sigma_px) ** 2)
+    taps /= taps.sum()
+    return taps
 
 
 def _blurred(rows: Floats, taps: Floats) -> Floats:
