@@ -71,9 +71,9 @@ class VectorBeam:
     """Draws strokes over and over on a tube. ``power`` is the energy per second of a full current.
 
     ``min_frame_ps`` holds short lists back, so that a phosphor is not burnt. An empty list waits. Each of
-    many pieces is taken to fade evenly over its length, and until ``beam_strokes`` is compiled those of a long
-    list are blurred. ``blanked`` is the current between strokes, 0 to 1: a rest of it, where brightness is
-    turned up.
+    many pieces is taken to fade evenly over its length, and until ``beam_strokes`` is compiled those of a
+    long list are blurred. ``blanked`` is the current between strokes, 0 to 1: a rest of it, where brightness
+    is turned up.
     """
 
     def __init__(
