@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 _SPACING = 1.5  # in widths of the spot, which leaves no beads
-_MOST_DOTS = 500_000
+_MOST_DOTS = 200_000
 _AT_ONCE = 100_000
 _SHARED_VARIANCE = 0.25
 _NEAR = 4.0
@@ -21,16 +21,17 @@ _NARROWEST = 0.54
 Floats = NDArray[np.float64]
 
 
-def blur_strokes(face: Floats, strokes: NDArray[Any], sigma_px: float) -> None:
+def blur_strokes(face: Floats, strokes: NDArray[Any], sigma_px: float, of_all: float = 1.0) -> None:
     """Add to a face (h, w) what strokes (n, 5) leave: x0, y0, x1, y1 in pixels, and their energy.
 
+    ``of_all``: their share of a list, which has so many dots at most, however often parts of it are drawn.
     A spot narrower than ``_NARROWEST`` is drawn that wide.
     """
     sigma_px = max(sigma_px, _NARROWEST)
     ways = strokes[:, 2:4] - strokes[:, 0:2]
     lengths = np.hypot(*ways.T)
-    spacing = max(_SPACING * sigma_px, float(lengths.sum()) / _MOST_DOTS)
-    counts = np.ceil(lengths / spacing).astype(np.int64) + 1
+    spacing = max(_SPACING * sigma_px, float(lengths.sum()) / (_MOST_DOTS * of_all))
+    counts = np.maximum(np.ceil(lengths / spacing), 1).astype(np.int64)
     taps = _taps(math.sqrt(sigma_px * sigma_px - _SHARED_VARIANCE))
     margin = len(taps) // 2
     rows, columns = (side + 2 * margin for side in face.shape)

@@ -73,7 +73,7 @@ class VectorBeam:
     ``min_frame_ps`` holds short lists back, so that a phosphor is not burnt. An empty list waits. Each of
     many pieces is taken to fade evenly over its length, and until ``beam_strokes`` is compiled those of a
     long list are blurred. ``blanked`` is the current between strokes, 0 to 1: a rest of it, where brightness
-    is turned up.
+    is turned up. ``blurred`` tells whether anything was, so that a beam made anew may be sharper.
     """
 
     def __init__(
@@ -100,6 +100,7 @@ class VectorBeam:
         count = len(self._starts)
         per_run = -(-count // _RUNS) or 1
         self._runs = [(i, min(i + per_run, count)) for i in range(0, count, per_run)]
+        self.blurred = False
         self._frames: dict[int, Floats] = {}
         self._maps: dict[tuple[int, int, float], Floats] = {}
 
@@ -176,8 +177,12 @@ class VectorBeam:
         seconds = (self._ends[pieces] - self._starts[pieces]) * 1e-12
         table[:, 4] = self.power * self._currents[self._of[pieces], gun] * seconds * weights
         face = np.zeros((rows, columns))
-        draw = draw_strokes if strokes_ready() else blur_strokes
-        draw(face, table, spot / math.sqrt(float(pitch.prod())))
+        spot_px = spot / math.sqrt(float(pitch.prod()))
+        if strokes_ready():
+            draw_strokes(face, table, spot_px)
+        else:
+            self.blurred = True
+            blur_strokes(face, table, spot_px, len(table) / len(self._starts))
         return face.astype(self._kind, copy=False)
 
     @property
