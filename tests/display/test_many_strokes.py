@@ -111,3 +111,4 @@ def test_a_long_list_takes_no_longer_than_its_dots_before_it_is_compiled(
     assert beam.energy_per_frame().sum() > 0.0
     assert singly == []
     beam.play(tube_of(), beam.frame_ps // 3)
+    assert "pieces" not in vars(beam), "a value was made of every piece"

@@ -112,20 +112,20 @@ class VectorBeam:
     @cached_property
     def pieces(self) -> list[Segment]:
         """The pieces into which the strokes are cut, one value each."""
-        columns = self._starts, self._ends, self._begins, self._stops, self._of
-        listed = list(map(tuple, self._currents.tolist()))
-        return [
-            Segment(
-                "stroke" if stroke >= 0 else "jump",
-                start,
-                end - start,
-                tuple(a),
-                tuple(b),
-                listed[stroke],
-                stroke,
-            )
-            for start, end, a, b, stroke in zip(*(each.tolist() for each in columns), strict=True)
-        ]
+        return [self._piece(number) for number in range(len(self._starts))]
+
+    def _piece(self, number: int) -> Segment:
+        stroke, start = int(self._of[number]), int(self._starts[number])
+        (x0, y0), (x1, y1) = self._begins[number].tolist(), self._stops[number].tolist()
+        return Segment(
+            "stroke" if stroke >= 0 else "jump",
+            start,
+            int(self._ends[number]) - start,
+            (x0, y0),
+            (x1, y1),
+            tuple(self._currents[stroke].tolist()),
+            stroke,
+        )
 
     @property
     def frame_s(self) -> Fraction:
@@ -320,7 +320,7 @@ class VectorBeam:
     def _play_piece(
         self, tube: Tube, number: int, elapsed: Fraction, duration: Fraction, age: Fraction
     ) -> None:
-        piece = self.pieces[number]
+        piece = self._piece(number)
         a = self._along(piece, elapsed)
         b = self._along(piece, elapsed + duration)
         energy = self.power * float(duration) * 1e-12
