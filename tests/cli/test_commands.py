@@ -198,6 +198,30 @@ def test_bad_input_is_named_in_one_line(
     assert named in refused(capsys, *words)
 
 
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (
+            ["draw", "a.gwb", "-o", "a.png", "--cell", "1e9"],
+            "'1e9' is not a whole number; write one such as 8",
+        ),
+        (
+            ["draw", "a.gwb", "-o", "a.png", "--sheet", "two"],
+            "'two' is not a whole number; write one such as 8",
+        ),
+        (
+            ["surface", "hill", "-o", "a.obj", "--tolerance", "x"],
+            "'x' is not a number; write one such as 0.5",
+        ),
+    ],
+)
+def test_a_wrong_number_is_named_in_plain_words(
+    words: list[str], said: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(words) == 2
+    assert said in capsys.readouterr().err
+
+
 def test_help_and_version(capsys: pytest.CaptureFixture[str]) -> None:
     for words, expected in ((("--help",), "trace"), (("--version",), "0.1.0")):
         assert expected in printed(capsys, *words)

@@ -6,6 +6,7 @@ import io
 import json
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
 from workbench.algorithms import catalogue
@@ -50,3 +51,10 @@ def test_a_run_that_is_too_long_is_said() -> None:
 def test_a_run_that_fails_is_said() -> None:
     with pytest.raises(WorkError, match="midpoint_circle stopped with an error, TypeError in line"):
         traces.run(catalogue.get("midpoint_circle"), (0, 0, "r"))
+
+
+def test_what_a_text_says_itself_ends_with_one_full_stop() -> None:
+    entry = catalogue.get("electron_beam")
+    arguments = (*entry.example[:5], np.array([]), *entry.example[6:])
+    with pytest.raises(WorkError, match=r"A tube has seven numbers: [^.]*[^.]\.$"):
+        traces.run(entry, arguments)

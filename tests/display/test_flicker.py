@@ -1,6 +1,8 @@
 """Flicker by formula, as measured from the light of a tube, and as the text on decay steps it."""
 
 import math
+import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -136,3 +138,16 @@ def test_which_phosphors_smear() -> None:
     printed = {"P31": 0.02, "P1": 0.03, "P39": 0.46, "P2": 0.56, "P7": 0.64}
     assert all(abs(later[name] - share) < 0.01 for name, share in printed.items())
     assert [name for name in later if smears(Phosphor.named(name))] == ["P39", "P2", "P7"]
+
+
+def test_the_light_is_there_without_the_compiler() -> None:
+    """To load it would hold the window when the page is first seen."""
+    code = (
+        "import sys\n"
+        "from workbench.display.flicker import light_over_refresh\n"
+        "from workbench.display.phosphor import Phosphor\n"
+        "assert len(light_over_refresh(Phosphor.named('P31'), 1 / 60, 240)) == 241\n"
+        "assert not {'numba', 'workbench.engine.compiled'} & set(sys.modules), 'loaded'\n"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (0, "")

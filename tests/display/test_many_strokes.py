@@ -3,8 +3,10 @@
 import numpy as np
 import pytest
 
+from workbench.algorithms.scanning.beam_strokes import beam_strokes
 from workbench.display import MmStroke, Phosphor, Tube, VectorBeam, VectorTiming
 from workbench.display import vector_beam as module
+from workbench.display.blurred_strokes import blur_strokes
 from workbench.engine import compiled
 
 TIMING = VectorTiming.named("teaching")
@@ -71,4 +73,42 @@ def test_nothing_is_compiled_on_the_way(monkeypatch: pytest.MonkeyPatch) -> None
 
     monkeypatch.setattr(module, "strokes_ready", lambda: False)
     monkeypatch.setattr(compiled, "paint", refuse)
-    assert VectorBeam(tube_of(), list_of(70), TIMING).energy_per_frame().any()
+    for count in (70, 900):
+        assert VectorBeam(tube_of(), list_of(count), TIMING).energy_per_frame().any()
+
+
+@pytest.mark.parametrize("sigma_px", [0.7, 1.1, 3.0])
+def test_a_blurred_list_looks_like_that_of_the_text(sigma_px: float) -> None:
+    random = np.random.default_rng(3)
+    strokes = np.empty((60, 5))
+    strokes[:, 0:2] = random.uniform(-5.0, 65.0, (60, 2))  # some of it beyond the face
+    strokes[:, 2:4] = strokes[:, 0:2] + random.uniform(-24.0, 24.0, (60, 2)) * random.choice([0, 1], (60, 2))
+    strokes[:, 4] = random.uniform(0.2, 1.0, 60) * (0.5 + np.hypot(*(strokes[:, 2:4] - strokes[:, :2]).T))
+    exact, blurred = np.zeros((50, 60)), np.zeros((50, 60))
+    for _spans in beam_strokes(exact, strokes, sigma_px):
+        pass
+    blur_strokes(blurred, strokes, sigma_px)
+    assert np.abs(blurred - exact).max() < 0.12 * exact.max()
+    assert np.abs(blurred - exact).mean() < 0.01 * exact.max()
+    assert blurred.sum() == pytest.approx(exact.sum(), rel=5e-3)
+
+
+def test_a_long_list_takes_no_longer_than_its_dots_before_it_is_compiled(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Not one of many thousands of pieces is added up by itself, whether averaged or played."""
+
+    def by_itself(*arguments: object) -> object:
+        singly.append(1)
+        assert len(singly) <= 16  # at the ends of the time that is played
+        return marks(*arguments)
+
+    singly: list[int] = []
+    marks = VectorBeam._marks_of
+    monkeypatch.setattr(module, "strokes_ready", lambda: False)
+    monkeypatch.setattr(VectorBeam, "_marks_of", by_itself)
+    beam = VectorBeam(tube_of(), list_of(5_000), TIMING)
+    assert beam.energy_per_frame().sum() > 0.0
+    assert singly == []
+    beam.play(tube_of(), beam.frame_ps // 3)
+    assert "pieces" not in vars(beam), "a value was made of every piece"

@@ -28,10 +28,11 @@ from tests.shell.keys.conftest import window as window
 from tests.smoke.test_real_window import MISSING
 from tests.smoke.test_real_window import environment as environment
 from tests.smoke.test_real_window import screen as screen
-from tests.soak.events import in_front, keys_pressed
+from tests.soak.events import PAGED, in_front, keys_pressed
 from tests.soak.hand import OFTEN_HIT, Hand
 from tests.soak.monkey import settled
 from tests.soak.shorten import fewest
+from workbench.panels.stage.paged_panel import PagedPanel
 from workbench.shell.window import MainWindow
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -99,14 +100,26 @@ def test_no_event_acts_on_the_window_behind_a_dialog(qtbot: QtBot) -> None:
     assert done == ["done"]
 
 
-def test_the_pictures_of_every_workspace_are_hit_often(window: MainWindow) -> None:
+def test_the_pictures_of_every_workspace_and_page_are_hit_often(qtbot: QtBot, window: MainWindow) -> None:
     hand = Hand(window, Random(1), lambda _text: None)
-    for slug in window.workspace_slugs:
-        window.go(slug)
-        middle = window.panels(slug)[0].center
+
+    def hit_often() -> None:
         hit = [hand.target(window) for _turn in range(60)]
         pictures = [part for part in hit if middle.isAncestorOf(part) and type(part).__name__ in OFTEN_HIT]
-        assert len(pictures) > 6, slug
+        assert len(pictures) > 6, (slug, getattr(panel, "page", ""))
+
+    for slug in window.workspace_slugs:
+        window.go(slug)
+        panel = window.panels(slug)[0]
+        middle = panel.center
+        assert isinstance(panel, PagedPanel) == (slug in PAGED)
+        if not isinstance(panel, PagedPanel):
+            hit_often()
+            continue
+        panel.show_example()
+        for switch in panel.buttons.buttons():
+            switch.click()
+            qtbot.waitUntil(hit_often)  # some pictures take a while
 
 
 def test_a_hand_reaches_only_what_is_seen_in_the_window(qtbot: QtBot) -> None:

@@ -26,6 +26,7 @@ from workbench.shell.actions import commands, keys_elsewhere
 
 LEFT, RIGHT, MIDDLE = Qt.MouseButton.LeftButton, Qt.MouseButton.RightButton, Qt.MouseButton.MiddleButton
 LEFT_OUT = ("quit",)
+PAGED = ("space", "display")
 HELD = ("Ctrl", "Shift", "Alt")
 NUMBERS = (
     *("0", "1", "-1", "2", "3", "7", "12", "30/2", "0.5", "3.75", "-20", "63", "64", "100", "999", "4096"),
@@ -220,23 +221,25 @@ def history(hand: Hand) -> str:
 
 @in_front
 def workspace(hand: Hand) -> str:
-    slug = hand.rng.choice((*hand.window.workspace_slugs, "home", "settings", "keys"))
+    slug = hand.workspace or hand.rng.choice((*hand.window.workspace_slugs, "home", "settings", "keys"))
     hand.window.go(slug)
     return slug
 
 
 @in_front
 def page(hand: Hand) -> str:
-    """Another page of Space, by its switch."""
-    if hand.window.place != "space":
-        hand.window.go("space")
-    if hand.window.place != "space":
-        return "on the way to space"
-    panel = hand.window.panels("space")[0]
+    """Another page of a workspace that has some, by its switch."""
+    paged = [each for each in hand.window.workspace_slugs if each in PAGED]
+    slug = hand.workspace if hand.workspace in paged else hand.rng.choice(paged)
+    if hand.window.place != slug:
+        hand.window.go(slug)
+    if hand.window.place != slug:
+        return f"on the way to {slug}"
+    panel = hand.window.panels(slug)[0]
     button = hand.rng.choice(panel.buttons.buttons())
     at = button.mapTo(hand.window, button.rect().center())
     hand.act(QTest.mouseClick, hand.window, LEFT, PLAIN, at)
-    return str(button.text())
+    return f"{slug} {button.text()}"
 
 
 @in_front
@@ -318,7 +321,7 @@ KINDS: dict[Event, int] = {
     palette: 1,
     history: 4,
     workspace: 2,
-    page: 1,
+    page: 2,
     example: 2,
     sheet: 1,
     clipboard: 1,

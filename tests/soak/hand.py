@@ -26,16 +26,19 @@ PLAIN, SHIFT, CONTROL = (
 OFTEN_HIT = (
     *("PixelCanvas", "PlaneView", "EyeView", "OutsideView", "TubeView"),
     *("HomogeneousView", "StageStrip", "MatrixStrip", "MatrixRow"),
+    *("GunView", "SteeredTube", "RasterView", "StrokeView", "StorageView", "TimingDiagram", "ColourView"),
+    *("SolidView", "FlickerMap", "LightPlot", "RefreshPlot", "LitView", "MethodTile"),
 )
 
 
 @dataclass
 class Hand:
-    """A hand over ``window`` that goes by its own random numbers."""
+    """A hand over ``window`` that goes by its own random numbers, mostly in ``workspace`` if it has one."""
 
     window: Any
     rng: Random
     tell: Callable[[str], None]
+    workspace: str = ""
 
     def top(self) -> QWidget:
         """The window that the hand is over: what pops up, else mostly the main one."""

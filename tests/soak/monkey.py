@@ -1,6 +1,7 @@
 """Drives the real window with random events from a seed, and ends with the first fault it brings up.
 
     python -m tests.soak.monkey --seed 1 --events 20000 [--without dock_tab,dock] [--log FILE]
+    python -m tests.soak.monkey --seed 1 --within display  # mostly in this workspace
     python -m tests.soak.monkey --seed 1 --only 3,17,80    # these events of the seed alone
     python -m tests.soak.monkey --seed 1 --shorten LOG     # the fewest events that bring its fault up
 
@@ -36,7 +37,7 @@ from PySide6.QtGui import QDrag
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox
 
-from tests.soak.events import KINDS
+from tests.soak.events import KINDS, page, workspace
 from tests.soak.hand import Hand
 from workbench.shell.workspaces import workspaces
 
@@ -50,6 +51,7 @@ EXPECTED = (
 )
 _REST_MS, _POPUP_MS = 400, 40
 _DEEPEST = 5
+_MORE = 3  # as often is a workspace gone to that events keep to
 _TRIM = getattr(ctypes.CDLL(None), "malloc_trim", None) if sys.platform == "linux" else None
 
 
@@ -111,19 +113,23 @@ class Keeper(QObject):
 class Monkey(QObject):
     """Does the events with these numbers, one in each turn of the event loop."""
 
-    def __init__(self, window: Any, seed: int, numbers: list[int], without: set[str], log: TextIO) -> None:
+    def __init__(
+        self, window: Any, seed: int, numbers: list[int], without: set[str], within: str, log: TextIO
+    ) -> None:
         super().__init__(window)
         self._window, self._seed, self._left, self._log = window, seed, numbers[::-1], log
+        self._within = within
         self._keeper = Keeper(window)
         self._kinds = [kind for kind in KINDS if kind.__name__ not in without]
-        self._weights = [KINDS[kind] for kind in self._kinds]
+        more = _MORE if within else 1
+        self._weights = [KINDS[kind] * (more if kind in (workspace, page) else 1) for kind in self._kinds]
         self.faults = Faults()
         self.megabytes: list[float] = []
         self._done = 0
 
     def start(self) -> None:
         """Begin with nothing open but the first picture."""
-        self._window.enter("draw")
+        self._window.enter(self._within or "draw")
         QTimer.singleShot(_REST_MS, self._next)
 
     def _next(self) -> None:
@@ -137,7 +143,7 @@ class Monkey(QObject):
         self._keeper.inside = True
         faulthandler.dump_traceback_later(LONGEST_S, exit=True)
         try:
-            said = kind(Hand(self._window, rng, self._tell))
+            said = kind(Hand(self._window, rng, self._tell, self._within))
         except Exception:
             said = ""
             self.faults.said.append(traceback.format_exc())
@@ -159,8 +165,8 @@ class Monkey(QObject):
                 before.close()
         self._window.session.new()
         self._window.resize(*SIZE)
-        for workspace in (*workspaces(), workspaces()[0]):  # each keeps what it showed until it is entered
-            self._window.go(workspace.slug)
+        for each in (*workspaces(), workspaces()[0]):  # each keeps what it showed until it is entered
+            self._window.go(each.slug)
             QTest.qWait(_REST_MS)
         for _again in range(3):
             gc.collect()
@@ -217,7 +223,7 @@ def load_all_kernels() -> None:
         compile_use(entries[slug], use)
 
 
-def run(seed: int, numbers: list[int], without: set[str], log: TextIO) -> list[str]:
+def run(seed: int, numbers: list[int], without: set[str], within: str, log: TextIO) -> list[str]:
     """Do these events; the faults they brought up."""
     from workbench.shell.start import Building, make_window
 
@@ -225,7 +231,7 @@ def run(seed: int, numbers: list[int], without: set[str], log: TextIO) -> list[s
     window = make_window()
     window.resize(*SIZE)
     building = Building(window, warms=False)
-    monkey = Monkey(window, seed, numbers, without, log)
+    monkey = Monkey(window, seed, numbers, without, within, log)
     building.built.connect(monkey.start)
     window.first_frame.connect(building.start)
     window.show()
@@ -237,6 +243,7 @@ def run(seed: int, numbers: list[int], without: set[str], log: TextIO) -> list[s
     window.session.undo_stack.setClean()
     window.removeEventFilter(monkey._keeper)
     window.close()
+    application.clipboard().clear()  # offscreen it outlives the interpreter
     for megabytes in monkey.megabytes:
         print(f"{megabytes:.1f} MB", flush=True)
     return monkey.faults.said
@@ -249,13 +256,14 @@ def main() -> int:
     parser.add_argument("--events", type=int, default=MARK * LAST[1])
     parser.add_argument("--only", default="", help="numbers of events, or @ and a file of them")
     parser.add_argument("--without", default="", help="kinds of events to leave out")
+    parser.add_argument("--within", default="", help="the workspace that most events keep to")
     parser.add_argument("--log", type=Path)
     parser.add_argument("--shorten", type=Path, metavar="LOG")
     given = parser.parse_args()
     if given.shorten is not None:
         from tests.soak.shorten import shorten
 
-        print(*shorten(given.seed, given.shorten, given.without), sep=",")
+        print(*shorten(given.seed, given.shorten, given.without, given.within), sep=",")
         return 0
     text = Path(given.only[1:]).read_text() if given.only.startswith("@") else given.only
     numbers = [int(each) for each in text.split(",") if each.strip()] or list(range(given.events))
@@ -268,7 +276,7 @@ def main() -> int:
         log = given.log or Path(folder, "log")
         faulthandler.enable()
         with log.open("w") as into:
-            faults = run(given.seed, numbers, {*given.without.split(",")}, into)
+            faults = run(given.seed, numbers, {*given.without.split(",")}, given.within, into)
     for fault in faults:
         print(fault, file=sys.stderr)
     return 1 if faults else 0

@@ -25,13 +25,13 @@ def fewest(numbers: Sequence[int], fails: Callable[[Sequence[int]], bool]) -> li
     return kept
 
 
-def shorten(seed: int, log: Path, without: str) -> list[int]:
+def shorten(seed: int, log: Path, without: str, within: str) -> list[int]:
     """The numbers of the events that are needed. The fault is known by its last line."""
     numbers = [int(line.split()[0]) for line in log.read_text().splitlines() if line[:1].isdigit()]
 
     def fault(kept: Sequence[int]) -> str:
         command = [sys.executable, "-m", "tests.soak.monkey", "--seed", str(seed), "--without", without]
-        command += ["--only", ",".join(map(str, kept))]
+        command += ["--within", within, "--only", ",".join(map(str, kept))]
         done = subprocess.run(command, capture_output=True, text=True, timeout=LONGEST_S, cwd=ROOT)
         if done.returncode < 0:
             return f"signal {-done.returncode}"

@@ -111,8 +111,12 @@ def _parser() -> _Parser:
     draw = commands.add_parser("draw", help=_("renders a document without a window"))
     draw.add_argument("document", metavar="FILE.gwb", type=Path)
     draw.add_argument("-o", "--output", metavar="OUT.png", type=Path, required=True)
-    draw.add_argument("--sheet", metavar="NUMBER", type=int, default=1, help=_("which sheet, counted from 1"))
-    draw.add_argument("--cell", metavar="SIZE", type=int, default=1, help=_("each pixel becomes SIZE x SIZE"))
+    draw.add_argument(
+        "--sheet", metavar="NUMBER", type=_whole, default=1, help=_("which sheet, counted from 1")
+    )
+    draw.add_argument(
+        "--cell", metavar="SIZE", type=_whole, default=1, help=_("each pixel becomes SIZE x SIZE")
+    )
     draw.set_defaults(run=_draw)
 
     moving = commands.add_parser("animate", help=_("a sheet that moves, as a GIF or a PNG for each frame"))
@@ -121,9 +125,9 @@ def _parser() -> _Parser:
         "-o", "--output", metavar="OUT", type=Path, required=True, help=_(".gif, or .png for each frame")
     )
     moving.add_argument("--size", metavar="WxH", type=_size, help=_("pixels of each picture"))
-    moving.add_argument("--rate", metavar="N", type=float, help=_("pictures per second"))
+    moving.add_argument("--rate", metavar="N", type=_number, help=_("pictures per second"))
     moving.add_argument(
-        "--sheet", metavar="NUMBER", type=int, default=1, help=_("which sheet, counted from 1")
+        "--sheet", metavar="NUMBER", type=_whole, default=1, help=_("which sheet, counted from 1")
     )
     moving.add_argument("--contacts", action="store_true", help=_("one PNG with up to 24 frames"))
     moving.set_defaults(run=_animate)
@@ -134,10 +138,13 @@ def _parser() -> _Parser:
         "-o", "--output", metavar="OUT", type=Path, required=True, help=_("a .gwb or .svg file")
     )
     change.add_argument(
-        "--sheet", metavar="NUMBER", type=int, default=1, help=_("which sheet, counted from 1")
+        "--sheet", metavar="NUMBER", type=_whole, default=1, help=_("which sheet, counted from 1")
     )
     change.add_argument(
-        "--tolerance", metavar="T", type=float, help=_("largest error, in world units, where it is not exact")
+        "--tolerance",
+        metavar="T",
+        type=_number,
+        help=_("largest error, in world units, where it is not exact"),
     )
     change.add_argument(
         "--size", metavar="WxH", type=_size, help=_("size in pixels of the sheet that is made")
@@ -150,7 +157,11 @@ def _parser() -> _Parser:
         "-o", "--output", metavar="OUT", type=Path, required=True, help=_(".obj, .ply or .stl")
     )
     shape.add_argument(
-        "--tolerance", metavar="T", type=float, default=0.01, help=_("largest distance from the true surface")
+        "--tolerance",
+        metavar="T",
+        type=_number,
+        default=0.01,
+        help=_("largest distance from the true surface"),
     )
     shape.set_defaults(run=_surface)
 
@@ -169,13 +180,29 @@ def _parser() -> _Parser:
     render.add_argument("--eye", metavar="X,Y,Z", type=_point)
     render.add_argument("--look-at", metavar="X,Y,Z", type=_point)
     render.add_argument(
-        "--sheet", metavar="NUMBER", type=int, default=1, help=_("which sheet, counted from 1")
+        "--sheet", metavar="NUMBER", type=_whole, default=1, help=_("which sheet, counted from 1")
     )
     render.set_defaults(run=_render)
 
     commands.add_parser("tour", help=_("a picture of every workspace"))
     parser.commands = commands.choices
     return parser
+
+
+def _whole(text: str) -> int:
+    try:
+        return int(text)
+    except ValueError:
+        sentence = _("{text!r} is not a whole number; write one such as 8")
+        raise argparse.ArgumentTypeError(sentence.format(text=text[:20])) from None
+
+
+def _number(text: str) -> float:
+    try:
+        return float(text)
+    except ValueError:
+        sentence = _("{text!r} is not a number; write one such as 0.5")
+        raise argparse.ArgumentTypeError(sentence.format(text=text[:20])) from None
 
 
 def _size(text: str) -> tuple[int, int]:

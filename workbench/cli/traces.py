@@ -17,9 +17,8 @@ def run(entry: Entry, arguments: tuple[Any, ...]) -> Recording:
     """The whole run, recorded. Raises WorkError when it fails or is too long to record."""
     recording = record(entry.function, *arguments)
     if recording.error is not None:
-        raise WorkError(
-            _("{slug} stopped with an error, {error}.").format(slug=entry.slug, error=recording.error)
-        )
+        error = str(recording.error).rstrip(".")  # what a text says itself may be a sentence
+        raise WorkError(_("{slug} stopped with an error, {error}.").format(slug=entry.slug, error=error))
     if recording.truncated:
         raise WorkError(
             _("{slug} is not done after {count} lines, the most that are recorded.").format(

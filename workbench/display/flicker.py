@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 
 from workbench.algorithms.scanning.phosphor_decay import phosphor_decay
 from workbench.display.phosphor import Phosphor
-from workbench.engine.compiled import collect
 
 Floats = NDArray[np.float64]
 
@@ -66,10 +65,11 @@ def refreshed_terms(phosphor: Phosphor, period_s: float) -> tuple[tuple[float, f
 def light_over_refresh(phosphor: Phosphor, period_s: float, steps: int) -> Floats:
     """Seconds after a hit that is repeated every ``period_s``, and the light then, over its mean: (n + 1, 2).
 
-    The text ``phosphor_decay`` is what steps it, from the refreshed terms on.
+    The text ``phosphor_decay`` is what steps it, from the refreshed terms on. It is run as it is: sooner than
+    its compiled reading would be loaded.
     """
     terms = np.array(refreshed_terms(phosphor, period_s))
-    return collect(phosphor_decay, terms, period_s / steps, steps, compiling=False)
+    return np.array(list(phosphor_decay(terms, period_s / steps, steps)), np.float64)
 
 
 def _light(phosphor: Phosphor, period_s: float, t: float) -> float:

@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.display.beam import BeamState
+from workbench.display.blurred_strokes import blur_strokes
 from workbench.display.many_strokes import draw_strokes, strokes_ready
 from workbench.display.spot import narrowed, stroke_energy, stroke_remainder
 from workbench.display.stroke_timeline import (
@@ -36,7 +37,7 @@ from workbench.display.vector_timing import VectorTiming
 Floats = NDArray[np.floating[Any]]
 
 _PIECE_PX = 24.0
-_FEW = 64
+_FEW, _MANY = 64, 500
 _RUNS = 8
 _NOTHING_LEFT = 1e-30
 
@@ -69,9 +70,10 @@ def _marks(
 class VectorBeam:
     """Draws strokes over and over on a tube. ``power`` is the energy per second of a full current.
 
-    ``min_frame_ps`` holds short lists back, so that a phosphor is not burnt. An empty list waits. Once
-    ``beam_strokes`` is compiled, each of many pieces is taken to fade evenly over its length. ``blanked`` is
-    the current between strokes, 0 to 1: a rest of it, where brightness is turned up.
+    ``min_frame_ps`` holds short lists back, so that a phosphor is not burnt. An empty list waits. Each of
+    many pieces is taken to fade evenly over its length, and until ``beam_strokes`` is compiled those of a
+    long list are blurred. ``blanked`` is the current between strokes, 0 to 1: a rest of it, where brightness
+    is turned up. ``blurred`` tells whether anything was, so that a beam made anew may be sharper.
     """
 
     def __init__(
@@ -98,6 +100,7 @@ class VectorBeam:
         count = len(self._starts)
         per_run = -(-count // _RUNS) or 1
         self._runs = [(i, min(i + per_run, count)) for i in range(0, count, per_run)]
+        self.blurred = False
         self._frames: dict[int, Floats] = {}
         self._maps: dict[tuple[int, int, float], Floats] = {}
 
@@ -109,20 +112,20 @@ class VectorBeam:
     @cached_property
     def pieces(self) -> list[Segment]:
         """The pieces into which the strokes are cut, one value each."""
-        columns = self._starts, self._ends, self._begins, self._stops, self._of
-        listed = list(map(tuple, self._currents.tolist()))
-        return [
-            Segment(
-                "stroke" if stroke >= 0 else "jump",
-                start,
-                end - start,
-                tuple(a),
-                tuple(b),
-                listed[stroke],
-                stroke,
-            )
-            for start, end, a, b, stroke in zip(*(each.tolist() for each in columns), strict=True)
-        ]
+        return [self._piece(number) for number in range(len(self._starts))]
+
+    def _piece(self, number: int) -> Segment:
+        stroke, start = int(self._of[number]), int(self._starts[number])
+        (x0, y0), (x1, y1) = self._begins[number].tolist(), self._stops[number].tolist()
+        return Segment(
+            "stroke" if stroke >= 0 else "jump",
+            start,
+            int(self._ends[number]) - start,
+            (x0, y0),
+            (x1, y1),
+            tuple(self._currents[stroke].tolist()),
+            stroke,
+        )
 
     @property
     def frame_s(self) -> Fraction:
@@ -165,7 +168,7 @@ class VectorBeam:
         return self.power * piece.currents[gun] * piece.duration_ps * 1e-12
 
     def _left_by(self, pieces: slice | NDArray[np.int64], gun: int, weights: Floats | float = 1.0) -> Floats:
-        """What pieces leave, all at once by the compiled text, each times its weight."""
+        """What pieces leave, all at once, each times its weight."""
         (columns, rows), (width, height), spot, _reach = self._geometry
         pitch = np.array([width / columns, height / rows])
         table = np.empty((len(self._starts[pieces]), 5))
@@ -174,13 +177,19 @@ class VectorBeam:
         seconds = (self._ends[pieces] - self._starts[pieces]) * 1e-12
         table[:, 4] = self.power * self._currents[self._of[pieces], gun] * seconds * weights
         face = np.zeros((rows, columns))
-        draw_strokes(face, table, spot / math.sqrt(float(pitch.prod())))
+        spot_px = spot / math.sqrt(float(pitch.prod()))
+        if strokes_ready():
+            draw_strokes(face, table, spot_px)
+        else:
+            self.blurred = True
+            blur_strokes(face, table, spot_px, len(table) / len(self._starts))
         return face.astype(self._kind, copy=False)
 
     @property
     def _at_once(self) -> bool:
-        """Whether the pieces are so many that the compiled text draws them, if it is there already."""
-        return len(self._starts) > _FEW and strokes_ready()
+        """Whether the pieces are so many that they are drawn together: by the compiled text if it is there
+        already, else, were it long to add them up one by one, blurred."""
+        return len(self._starts) > (_FEW if strokes_ready() else _MANY)
 
     def _map_of_run(self, run: int, gun: int, tau_s: float) -> Floats:
         """All pieces of a run, decayed to its end with one time constant (infinite: the energy itself)."""
@@ -311,7 +320,7 @@ class VectorBeam:
     def _play_piece(
         self, tube: Tube, number: int, elapsed: Fraction, duration: Fraction, age: Fraction
     ) -> None:
-        piece = self.pieces[number]
+        piece = self._piece(number)
         a = self._along(piece, elapsed)
         b = self._along(piece, elapsed + duration)
         energy = self.power * float(duration) * 1e-12

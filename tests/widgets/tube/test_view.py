@@ -9,9 +9,12 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
+from workbench.display import vector_beam as beam_module
 from workbench.display.setup import TubeSetup
+from workbench.display.vector_beam import VectorBeam
 from workbench.widgets.look.comfort import comfort
 from workbench.widgets.look.tokens import DARK, LIGHT, theme
+from workbench.widgets.tube import view as view_module
 from workbench.widgets.tube.view import TubeView
 
 
@@ -153,3 +156,28 @@ def test_it_has_words_for_those_who_do_not_see_it(raster: TubeView) -> None:
     assert raster.accessibleName()
     assert raster.toolTip()
     assert raster.focusPolicy() == Qt.FocusPolicy.StrongFocus
+
+
+def test_what_was_blurred_is_drawn_anew_once_the_text_is_there(
+    qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    ready: list[bool] = []
+    for module in (beam_module, view_module):
+        monkeypatch.setattr(module, "strokes_ready", lambda: bool(ready))
+    tube = TubeView("vector")
+    qtbot.addWidget(tube)
+    tube.resize(300, 240)
+    tube.show()
+    qtbot.waitExposed(tube)
+    tube.set_strokes([(2.0, row / 4, 60.0, row / 4, 0xFFFFFF) for row in range(160)], (64, 48))
+    assert tube.driver is not None
+    blurred = tube.driver.beam
+    assert isinstance(blurred, VectorBeam)
+    blurred.energy_per_frame()
+    assert blurred.blurred
+    ready.append(True)
+    qtbot.waitUntil(lambda: tube.driver is not None and tube.driver.beam is not blurred)
+    sharp = tube.driver.beam
+    assert isinstance(sharp, VectorBeam)
+    assert not sharp.blurred
+    qtbot.waitUntil(lambda: not tube._sharpening.isActive())

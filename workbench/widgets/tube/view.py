@@ -4,11 +4,12 @@ from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QPointF, Qt, Signal
+from PySide6.QtCore import QPointF, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter
 from PySide6.QtWidgets import QWidget
 
 from workbench.display.beam import Beam
+from workbench.display.many_strokes import strokes_ready
 from workbench.display.raster_beam import RasterBeam
 from workbench.display.setup import (
     COLOUR_TUBE,
@@ -22,6 +23,7 @@ from workbench.display.setup import (
     vector_tube,
 )
 from workbench.display.tube import Tube
+from workbench.display.vector_beam import VectorBeam
 from workbench.language import _
 from workbench.widgets.canvas.pixel_canvas import ARROWS
 from workbench.widgets.tube.glass import lit_near_the_middle, nearest_pixel, pixel_at
@@ -32,6 +34,7 @@ Kind = Literal["raster", "vector"]
 
 _WIDEST_COLOUR_PX = 380  # three guns with eight terms each: the state is six times as large
 _BEAM_SEEN_FROM = 300.0
+_SHARPER_MS = 500
 
 
 class TubeView(LiveTube):
@@ -47,6 +50,8 @@ class TubeView(LiveTube):
         self._strokes: DeviceStrokes = ()
         self._picture = (64, 48)
         self._probe: tuple[int, int] | None = None
+        self._sharpening = QTimer(self, interval=_SHARPER_MS)
+        self._sharpening.timeout.connect(self._sharpen)
         self.setAccessibleName(_("Raster tube") if kind == "raster" else _("Vector tube"))
         hint = _("Click a point of the glass to measure its light over time.")
         if kind == "vector":
@@ -83,6 +88,14 @@ class TubeView(LiveTube):
         tube = vector_tube(self._picture, size_px, self._setup)
         return tube, vector_beam(tube, self._strokes, self._picture, self._setup)
 
+    def _sharpen(self) -> None:
+        """Draw anew what was blurred, once the compiled text is there."""
+        beam = None if self.driver is None else self.driver.beam
+        if not (isinstance(beam, VectorBeam) and beam.blurred):
+            self._sharpening.stop()
+        elif strokes_ready():
+            self._rebuild()
+
     def set_image(self, image: NDArray[np.uint32]) -> None:
         """Show a frame buffer (h, w), 0xRRGGBB, row 0 at the bottom; the old picture fades."""
         same_size = image.shape == self._image.shape
@@ -104,6 +117,7 @@ class TubeView(LiveTube):
         self._take_size(picture_px)
         if self.scans:
             return
+        self._sharpening.start()
         if same_size and self.driver is not None:
             self.driver.show(vector_beam(self.driver.tube, self._strokes, picture_px, self._setup))
             self._wake()
