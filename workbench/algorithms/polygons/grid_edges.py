@@ -101,7 +101,7 @@ def in_order(edges: Array, count: int) -> Array:
 
 
 def ranks(edges: Array, count: int) -> tuple[Array, int]:
-    """A number from 0 for each edge, less where it begins lower, or on one row further left; the largest one."""
+    """A number from 0 for each edge, less where it begins lower, or as low further left; the largest one."""
     lowest, leftmost, rightmost = FAR, FAR, -FAR
     for k in range(count):
         lowest = min(lowest, edges[k, FIRST_ROW])
