@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from tests.algorithms.runs import arguments
 from workbench.algorithms import catalogue
 from workbench.algorithms.polygons import scan_line_exact
-from workbench.algorithms.polygons.grid_edges import REACH, is_on_grid
+from workbench.algorithms.polygons.grid_edges import COLUMN, FIELDS, FIRST_ROW, REACH, in_order, is_on_grid
 from workbench.algorithms.polygons.grid_fill import fill_on_grid
 from workbench.engine.compiled import collect, paint
 from workbench.geometry.conventions import GRID
@@ -82,6 +82,27 @@ def test_far_away_its_whole_numbers_still_fit() -> None:
     paint(scan_line_exact, picture, 7, vertices, ends, False, False)
     assert np.array_equal(picture, painted_by_the_text(vertices, ends, False, False))
     assert picture.any()
+
+
+@pytest.mark.parametrize("count", [0, 1, 2, 5, 60, 5000])
+@pytest.mark.parametrize("reach", [3, 100, int(REACH)])
+def test_edges_come_by_their_first_rows_and_on_one_from_left_to_right(count: int, reach: int) -> None:
+    edges = np.zeros((count + 1, FIELDS), np.int64)
+    rng = np.random.default_rng(count + reach)
+    edges[:, [FIRST_ROW, COLUMN]] = rng.integers(-reach, reach, (count + 1, 2), endpoint=True)
+    expected = np.lexsort([edges[:count, COLUMN], edges[:count, FIRST_ROW]])
+    assert np.array_equal(in_order(edges, count), expected)
+
+
+@pytest.mark.parametrize("nonzero", [True, False])
+def test_of_many_rings_it_paints_the_pixels_of_the_text(nonzero: bool) -> None:
+    """Triangles of both windings, some of which overlap: more edges on a row than in the drawn examples."""
+    rng = np.random.default_rng(8)
+    corners = rng.uniform(-4, 44, (400, 1, 2)) + rng.normal(0, 2, (400, 3, 2))
+    vertices, ends = np.round(corners.reshape(-1, 2) * GRID) / GRID, np.arange(3, 1201, 3)
+    picture = np.zeros((HEIGHT, WIDTH), np.uint8)
+    paint(scan_line_exact, picture, 7, vertices, ends, False, nonzero)
+    assert np.array_equal(picture, painted_by_the_text(vertices, ends, False, nonzero))
 
 
 @pytest.mark.parametrize("value", [2 * REACH, np.inf, np.nan, 1 / 8192])

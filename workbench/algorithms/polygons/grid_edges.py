@@ -22,6 +22,9 @@ REACH = 2.0**18
 COLUMN, REMAINDER, STRIDE, PART, DIVISOR, AROUND, END_ROW, FIRST_ROW = range(8)
 FIELDS = 8
 
+FAR = 1 << 40  # beyond all rows and columns
+MOST_BITS = 11  # of a digit that edges are sorted by: a table of its values fits the nearest memory
+
 
 def is_on_grid(vertices: Array) -> bool:
     """Whether all vertices, in pixels, are whole multiples of 1/4096 and not too far away."""
@@ -69,31 +72,43 @@ def edges_on_grid(edges: Array, vertices: Array, ring_ends: Array) -> int:
 
 
 def in_order(edges: Array, count: int) -> Array:
-    """The numbers of the edges by their first rows, on one row from left to right: merged in runs."""
-    order, merged = np.arange(count), np.arange(count)
-    run = 1
-    while run < count:
-        for start in range(0, count, 2 * run):
-            middle = min(start + run, count)
-            end = min(middle + run, count)
-            first, second = start, middle
-            for k in range(start, end):
-                if second >= end or (
-                    first < middle and not begins_before(edges, order[second], order[first])
-                ):
-                    merged[k] = order[first]
-                    first += 1
-                else:
-                    merged[k] = order[second]
-                    second += 1
-        order, merged = merged, order
-        run *= 2
+    """The numbers of the edges by their first rows, on one row from left to right; unsigned, to index fast.
+
+    Sorted by one digit of ``rank`` after another, lowest first, with about as many values as there are edges.
+    """
+    rank, most = ranks(edges, count)
+    bits = 2
+    while bits < MOST_BITS and 1 << bits < count:
+        bits += 1
+    mask, shift = (1 << bits) - 1, 0
+    place = np.empty(1 << bits, np.int64)
+    order, moved = np.arange(count).astype(np.uint64), np.empty(count, np.uint64)
+    while most >> shift > 0:
+        place[:] = 0
+        for k in range(count):
+            place[rank[k] >> shift & mask] += 1
+        following = count
+        for digit in range(mask, -1, -1):
+            following -= place[digit]
+            place[digit] = following
+        for k in range(count):
+            digit = rank[order[k]] >> shift & mask
+            moved[place[digit]] = order[k]
+            place[digit] += 1
+        order, moved = moved, order
+        shift += bits
     return order
 
 
-def begins_before(edges: Array, edge: int, other: int) -> bool:
-    """Whether an edge begins on a lower row than another, or on the same one further left."""
-    row, other_row = edges[edge, FIRST_ROW], edges[other, FIRST_ROW]
-    if row == other_row:
-        return bool(edges[edge, COLUMN] < edges[other, COLUMN])
-    return bool(row < other_row)
+def ranks(edges: Array, count: int) -> tuple[Array, int]:
+    """A number from 0 for each edge, less where it begins lower, or as low further left; the largest one."""
+    lowest, leftmost, rightmost = FAR, FAR, -FAR
+    for k in range(count):
+        lowest = min(lowest, edges[k, FIRST_ROW])
+        leftmost, rightmost = min(leftmost, edges[k, COLUMN]), max(rightmost, edges[k, COLUMN])
+    width = rightmost - leftmost + 1
+    rank, most = np.empty(count, np.int64), 0
+    for k in range(count):
+        rank[k] = (edges[k, FIRST_ROW] - lowest) * width + edges[k, COLUMN] - leftmost
+        most = max(most, rank[k])
+    return rank, most

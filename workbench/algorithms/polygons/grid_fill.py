@@ -14,6 +14,7 @@ from workbench.algorithms.polygons.grid_edges import (
     COLUMN,
     DIVISOR,
     END_ROW,
+    FAR,
     FIELDS,
     FIRST_ROW,
     PART,
@@ -25,8 +26,6 @@ from workbench.algorithms.polygons.grid_edges import (
 )
 
 Array = NDArray[Any]
-
-LEFTMOST, LAST_ROW = -(1 << 40), 1 << 40
 
 
 def fill_on_grid(
@@ -40,7 +39,7 @@ def fill_on_grid(
         return False
     edges = np.empty((len(vertices), FIELDS), np.int64)
     order = in_order(edges, edges_on_grid(edges, vertices, ring_ends))
-    active = np.empty(len(order), np.int64)
+    active = np.empty(len(order), np.uint64)
     waiting = crossed = until = 0
     while waiting < len(order) or crossed > 0:
         y = until if crossed > 0 else edges[order[waiting], FIRST_ROW]
@@ -59,7 +58,7 @@ def change_edges(
 
     Returns how many cross it then, who waits, and the next row on which an edge begins or ends.
     """
-    kept, until = 0, LAST_ROW
+    kept, until = 0, FAR
     for k in range(crossed):
         edge = active[k]
         if edges[edge, END_ROW] > y:
@@ -124,7 +123,7 @@ def between_all(
 ) -> Iterator[tuple[int, int, int]]:
     """Fill between any number of edges, each moved on and kept in order as soon as it was looked at."""
     for row in range(y, until):
-        winding, left, farthest = 0, 0, LEFTMOST
+        winding, left, farthest = 0, 0, -FAR
         for k in range(crossed):
             edge = active[k]
             column = edges[edge, COLUMN]
