@@ -84,6 +84,36 @@ def test_the_sixth_question_opens_the_tube_cut_open_at_its_start(qtbot: QtBot) -
     window.close()
 
 
+def test_the_tenth_question_leads_to_pages_that_have_the_docks_they_need_in_front(qtbot: QtBot) -> None:
+    window = make_window()
+    building = Building(window, warms=False)
+    window.first_frame.connect(building.start)
+    with qtbot.waitSignal(building.built, timeout=60_000):
+        window.show()
+    window.resize(1280, 680)
+    (question,) = (each for each in questions() if each.number == 10)
+    window.open_question(question)
+    qtbot.waitUntil(lambda: window.place == "display", timeout=60_000)
+    panel = panel_of(window.panels("display"), DisplayPanel)
+
+    def seen() -> set[str]:
+        docks = window.arrangements.docks("display")
+        return {dock.objectName() for dock in docks if not dock.visibleRegion().isEmpty()}
+
+    for page, dock in (
+        ("comparison", "raster_or_random"),
+        ("vector", "random_scan_architecture"),
+        ("flicker", "phosphors"),
+        ("colour", "source"),
+        ("raster", "raster_sums"),
+        ("display", "source"),
+    ):
+        panel.show_page(page)
+        qtbot.waitUntil(lambda name=dock: seen() == {name, "hand_table"}, timeout=10_000)  # type: ignore[misc]
+    window.session.undo_stack.setClean()
+    window.close()
+
+
 @pytest.mark.parametrize(
     ("typed", "number"), [("not the origin", 12), ("rotation about any", 12), ("viewport", 4)]
 )

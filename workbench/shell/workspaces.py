@@ -200,6 +200,6 @@ def workspaces() -> tuple[Workspace, ...]:
             ("workbench.panels.display.panel:DisplayPanel", inspector),
             steps=True,
             topics=("scanning", "colour", "visibility"),
-            lower=("hand_table", "source", "variables", "about", "phosphors"),
+            lower=("hand_table", "variables", "about"),
         ),
     )
