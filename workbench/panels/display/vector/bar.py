@@ -80,7 +80,7 @@ class VectorBar(QWidget):
         assert number is not None
         field = NumberField(
             label, unit, low=number.low, high=number.high, step=step, integer=number.whole, meaning=meaning,
-            complaint=self.complaint,
+            complaint=self.complaint, digits=6 if name == "jump_pace" else 5,
         )  # fmt: skip
 
         def change(value: float) -> None:
