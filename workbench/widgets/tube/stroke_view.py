@@ -20,6 +20,7 @@ _JUMP = QColor("#E3B341")
 _CHOSEN = QColor("#5AA9FF")
 _BEAM = QColor("#F5F7FA")
 _MOST_COMING = 4000
+_BESIDE_PX = 8.0
 
 Floats = NDArray[np.float64]
 Point = tuple[float, float]
@@ -96,7 +97,17 @@ class StrokeView(TubeView):
         font = QFont(self.font())
         font.setPixelSize(CAPTION_PX)
         painter.setFont(font)
-        painter.drawText(end + QPointF(8.0, -6.0), f"PC {trace.address}")
+        said = f"PC {trace.address}"
+        wide = painter.fontMetrics().horizontalAdvance(said)
+        painter.drawText(beside(end, wide, self._glass.right()), said)
+
+
+def beside(end: QPointF, wide: float, right: float) -> QPointF:
+    """Where a word so many pixels ``wide`` begins: to the right of a point, or to its left where it would
+    come too near to the edge of the glass.
+    """
+    turned = end.x() + wide + 2 * _BESIDE_PX > right
+    return end + QPointF(-_BESIDE_PX - wide if turned else _BESIDE_PX, -6.0)
 
 
 def _lines(ends: Floats) -> Sequence[QLineF]:
