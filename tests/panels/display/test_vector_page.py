@@ -5,7 +5,7 @@ from collections.abc import Iterator
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtCore import QPoint, QPointF, QRectF, QSize, Qt
 from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
@@ -235,10 +235,32 @@ def test_the_limit_is_worked_out_from_numbers_that_the_page_says(page: VectorPag
 
 
 def test_the_counter_beside_the_beam_is_on_the_glass() -> None:
+    glass, size = QRectF(0.0, 0.0, 200.0, 150.0), QSize(30, 12)
     for x in range(0, 201, 5):
-        place = beside(QPointF(x, 50.0), 30.0, 200.0)
-        assert place.x() + 30.0 <= 192.0
-        assert place.x() + 30.0 < x or place.x() > x
+        for y in range(0, 151, 5):
+            base = beside(QPointF(x, y), size, glass)
+            word = QRectF(base.x(), base.y() - 12.0, 30.0, 12.0)
+            assert glass.adjusted(0.0, 0.0, 0.0, 8.0).contains(word)
+            assert not word.contains(QPointF(x, y))
+
+
+@pytest.mark.parametrize("width", [560, 660, 1000])
+def test_its_bar_flows_and_cuts_nothing(page: VectorPage, width: int) -> None:
+    give(page, lines=600)
+    page.resize(width, 460)
+    settle(page)
+    bar = page.bar
+    typed_into = bar.fields["pace"].field
+    typed_into.setText("x")
+    QTest.keyClick(typed_into, Qt.Key.Key_Return)
+    settle(page)
+    parts = [bar.display, bar.phosphor, bar.ordered, bar.storage, *bar.fields.values(), bar.complaint]
+    rooms = [part.geometry() for part in parts]
+    for part, room in zip(parts, rooms, strict=True):
+        assert part.isVisible()
+        assert bar.rect().contains(room)
+        assert room.width() >= part.sizeHint().width()
+        assert sum(room.intersects(other) for other in rooms) == 1
 
 
 def test_the_keys_of_the_plot_ask_for_lines(page: VectorPage, qtbot: QtBot) -> None:

@@ -41,7 +41,10 @@ class FlickerMap(Plot):
         self._dragging = False
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setToolTip(
-            _("Drag the point, or use the arrows (Shift: ten times as far): it sets the tube beside it.")
+            _(
+                "Drag the point, or use the arrows (Shift: ten times as far): it sets the tube beside it. "
+                "Persistence is the time in which the light falls to 10 %."
+            )
         )
 
     def sizeHint(self) -> QSize:
@@ -97,7 +100,7 @@ class FlickerMap(Plot):
         for item in self._words:
             item.setColor(now.text)
             item.setFont(self._font())
-        self._label_axes(_("light falls to 10 % in"), _("refresh, Hz"))
+        self._label_axes(_("persistence"), _("refresh, Hz"))
         self._draw()
         self._mark()
 

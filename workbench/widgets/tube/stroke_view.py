@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QLineF, QPointF, Qt, Signal
+from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QFont, QMouseEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QWidget
 
@@ -98,16 +98,19 @@ class StrokeView(TubeView):
         font.setPixelSize(CAPTION_PX)
         painter.setFont(font)
         said = f"PC {trace.address}"
-        wide = painter.fontMetrics().horizontalAdvance(said)
-        painter.drawText(beside(end, wide, self._glass.right()), said)
+        size = painter.fontMetrics().boundingRect(said).size()
+        painter.drawText(beside(end, size, self._glass), said)
 
 
-def beside(end: QPointF, wide: float, right: float) -> QPointF:
-    """Where a word so many pixels ``wide`` begins: to the right of a point, or to its left where it would
-    come too near to the edge of the glass.
+def beside(end: QPointF, size: QSize, glass: QRectF) -> QPointF:
+    """Where a word of this ``size`` begins, on its base line: to the right of a point and above it, or on the
+    other side where it would come too near to the edge of the glass.
     """
-    turned = end.x() + wide + 2 * _BESIDE_PX > right
-    return end + QPointF(-_BESIDE_PX - wide if turned else _BESIDE_PX, -6.0)
+    to_left = end.x() + size.width() + 2 * _BESIDE_PX > glass.right()
+    below = end.y() - size.height() - 2 * _BESIDE_PX < glass.top()
+    return end + QPointF(
+        -_BESIDE_PX - size.width() if to_left else _BESIDE_PX, _BESIDE_PX + size.height() if below else -6.0
+    )
 
 
 def _lines(ends: Floats) -> Sequence[QLineF]:
