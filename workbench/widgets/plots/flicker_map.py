@@ -21,6 +21,7 @@ _TINT = 46
 _SPOT_PX = 13
 _FACTOR = 1.1
 _FAR = 10.0
+_AXIS_PX = 64  # of times with their units
 
 
 class FlickerMap(Plot):
@@ -84,6 +85,7 @@ class FlickerMap(Plot):
         self._lay(self._items["point"])
         self._plot.viewport().installEventFilter(self)
         self._plot.getAxis("left").setStyle(hideOverlappingLabels=True)
+        self._plot.getAxis("left").setWidth(_AXIS_PX)
         self._plot.showGrid(x=False, y=False)
 
     def _restyle(self) -> None:
