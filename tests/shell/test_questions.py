@@ -1,20 +1,29 @@
 """A question of the paper opens its workspace, its example and its step, wherever one comes from."""
 
+from pathlib import Path
+
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from pytestqt.qtbot import QtBot
 
 from workbench.algorithms import catalogue
 from workbench.document.samples.examples import example_document
+from workbench.document.state import SessionState
+from workbench.document.storage.files import Stored, write
 from workbench.panels.display.gun.page import GunPage
+from workbench.panels.display.page import pages as display_pages
 from workbench.panels.display.panel import DisplayPanel
+from workbench.panels.space.page import pages as space_pages
 from workbench.panels.space.panel import SpacePanel
+from workbench.panels.stage.paged_panel import PagedPanel
+from workbench.panels.transform.panel import TransformPanel
+from workbench.panels.transform.space_page import SLUG
 from workbench.session.session import Session
 from workbench.shell.command_palette import CommandPalette
 from workbench.shell.home import HomePage
 from workbench.shell.questions import questions
 from workbench.shell.start import Building, make_window
-from workbench.shell.workspaces import panel_of
+from workbench.shell.workspaces import panel_of, workspaces
 
 
 def test_the_twelfth_question_opens_the_turn_about_a_point_at_its_step(qtbot: QtBot) -> None:
@@ -112,6 +121,37 @@ def test_the_tenth_question_leads_to_pages_that_have_the_docks_they_need_in_fron
         qtbot.waitUntil(lambda name=dock: seen() == {name, "hand_table"}, timeout=10_000)  # type: ignore[misc]
     window.session.undo_stack.setClean()
     window.close()
+
+
+def test_a_file_opens_on_the_page_that_it_was_left_on(qtbot: QtBot, tmp_path: Path) -> None:
+    window = make_window()
+    window.show()
+    document = example_document()
+    window.attach(Session(window, document))
+    for workspace, run, page in (
+        ("display", "comparison", "comparison"),
+        ("transform", "transform_space", "space"),
+        ("display", "colour", "colour"),
+        ("space", "arena", "arena"),
+    ):
+        path = tmp_path / f"{run}.gwb"
+        write(Stored(document, SessionState(workspace=run, sheet=document.sheets[0].id)), path)
+        window.files.open_path(path)
+        qtbot.waitUntil(lambda at=path: window.session.path == at, timeout=20_000)  # type: ignore[misc]
+        assert window.place == workspace
+        assert window.session.state.workspace == run
+        panel = window.panels(workspace)[0]
+        assert isinstance(panel, PagedPanel | TransformPanel)
+        assert panel.page == page
+        window.session.undo_stack.setClean()
+    window.close()
+
+
+def test_every_page_of_a_workspace_is_told_with_its_run() -> None:
+    told = {each.slug: set(each.pages) for each in workspaces()}
+    assert told["display"] == {row.slug for row in display_pages()}
+    assert told["space"] == {row.slug for row in space_pages()}
+    assert told["transform"] == {"transform", SLUG}
 
 
 @pytest.mark.parametrize(
