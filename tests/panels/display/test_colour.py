@@ -96,7 +96,6 @@ def test_what_is_wrong_with_a_number_is_read_whole_and_four_decimals_too(
     beam = page.masked.errors["red_x"]
     for number, wrong in enumerate((page.models.sliders["rgb"].parts[1], beam, page.penetration.volts)):
         part(page, qtbot, number)
-        place = wrong.geometry()
         typed(qtbot, wrong.field, "0,5")
         settle(qtbot, session)
         said = wrong.field.complaint
@@ -104,7 +103,6 @@ def test_what_is_wrong_with_a_number_is_read_whole_and_four_decimals_too(
         assert said.isVisible()
         assert said.height() >= said.heightForWidth(said.width())
         assert said.visibleRegion().boundingRect() == said.rect()
-        assert wrong.slider.geometry().right() <= wrong.width() <= place.width()
         qtbot.keyClick(wrong.field.field, Qt.Key.Key_Escape)
         assert not said.isVisible()
 

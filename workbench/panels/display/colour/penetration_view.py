@@ -76,7 +76,6 @@ class PenetrationView(QWidget):
         self.complaint = complaint_label()
         volts = Coordinate("V", _("Accelerating voltage"), MOST_KV, "kV", 0.1, LEAST_KV)
         self.volts = NumberSlider(volts, self.complaint)
-        self.volts.setMinimumWidth(self.volts.minimumSizeHint().width())
         self.buttons = {one.name: QPushButton(colour_title(one.name)) for one in COLOURS}
         self.own = QCheckBox(_("Colours of the sheet"))
         self.own.setAccessibleName(self.own.text())

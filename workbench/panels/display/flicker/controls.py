@@ -133,7 +133,7 @@ class FlickerControls(QWidget):
             integer=whole,
             meaning=meanings[name],
             complaint=self.complaint,
-            digits=6,
+            digits=5 if whole else 6,
         )
         kind = int if whole else float
         field.edited.connect(lambda value: self._send(**{name: kind(value)}))
