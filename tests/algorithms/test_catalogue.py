@@ -2,6 +2,7 @@
 
 import ast
 import inspect
+import re
 import subprocess
 import sys
 from itertools import pairwise
@@ -32,6 +33,12 @@ def test_an_unknown_slug_is_answered_with_the_nearest() -> None:
 
 def test_slugs_are_unique() -> None:
     assert len({entry.slug for entry in ENTRIES}) == len(ENTRIES)
+
+
+@each
+def test_microseconds_are_written_with_mu(entry: Entry) -> None:
+    said = [view.sentence for view in entry.views] + [each.unit for each in entry.parameters]
+    assert [text for text in said if re.search(r"\bus\b", text)] == []
 
 
 @each

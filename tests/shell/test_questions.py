@@ -1,20 +1,29 @@
 """A question of the paper opens its workspace, its example and its step, wherever one comes from."""
 
+from pathlib import Path
+
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from pytestqt.qtbot import QtBot
 
 from workbench.algorithms import catalogue
 from workbench.document.samples.examples import example_document
+from workbench.document.state import SessionState
+from workbench.document.storage.files import Stored, write
 from workbench.panels.display.gun.page import GunPage
+from workbench.panels.display.page import pages as display_pages
 from workbench.panels.display.panel import DisplayPanel
+from workbench.panels.space.page import pages as space_pages
 from workbench.panels.space.panel import SpacePanel
+from workbench.panels.stage.paged_panel import PagedPanel
+from workbench.panels.transform.panel import TransformPanel
+from workbench.panels.transform.space_page import SLUG
 from workbench.session.session import Session
 from workbench.shell.command_palette import CommandPalette
 from workbench.shell.home import HomePage
 from workbench.shell.questions import questions
 from workbench.shell.start import Building, make_window
-from workbench.shell.workspaces import panel_of
+from workbench.shell.workspaces import panel_of, workspaces
 
 
 def test_the_twelfth_question_opens_the_turn_about_a_point_at_its_step(qtbot: QtBot) -> None:
@@ -82,6 +91,67 @@ def test_the_sixth_question_opens_the_tube_cut_open_at_its_start(qtbot: QtBot) -
     with qtbot.waitSignal(export.triggered):
         qtbot.mouseClick(page.bar.save, Qt.MouseButton.LeftButton)
     window.close()
+
+
+def test_the_tenth_question_leads_to_pages_that_have_the_docks_they_need_in_front(qtbot: QtBot) -> None:
+    window = make_window()
+    building = Building(window, warms=False)
+    window.first_frame.connect(building.start)
+    with qtbot.waitSignal(building.built, timeout=60_000):
+        window.show()
+    window.resize(1280, 680)
+    (question,) = (each for each in questions() if each.number == 10)
+    window.open_question(question)
+    qtbot.waitUntil(lambda: window.place == "display", timeout=60_000)
+    panel = panel_of(window.panels("display"), DisplayPanel)
+
+    def seen() -> set[str]:
+        docks = window.arrangements.docks("display")
+        return {dock.objectName() for dock in docks if not dock.visibleRegion().isEmpty()}
+
+    for page, dock in (
+        ("comparison", "raster_or_random"),
+        ("vector", "random_scan_architecture"),
+        ("flicker", "phosphors"),
+        ("colour", "source"),
+        ("raster", "raster_sums"),
+        ("display", "source"),
+    ):
+        panel.show_page(page)
+        qtbot.waitUntil(lambda name=dock: seen() == {name, "hand_table"}, timeout=10_000)  # type: ignore[misc]
+    window.session.undo_stack.setClean()
+    window.close()
+
+
+def test_a_file_opens_on_the_page_that_it_was_left_on(qtbot: QtBot, tmp_path: Path) -> None:
+    window = make_window()
+    window.show()
+    document = example_document()
+    window.attach(Session(window, document))
+    for workspace, run, page in (
+        ("display", "comparison", "comparison"),
+        ("transform", "transform_space", "space"),
+        ("display", "colour", "colour"),
+        ("space", "arena", "arena"),
+    ):
+        path = tmp_path / f"{run}.gwb"
+        write(Stored(document, SessionState(workspace=run, sheet=document.sheets[0].id)), path)
+        window.files.open_path(path)
+        qtbot.waitUntil(lambda at=path: window.session.path == at, timeout=20_000)  # type: ignore[misc]
+        assert window.place == workspace
+        assert window.session.state.workspace == run
+        panel = window.panels(workspace)[0]
+        assert isinstance(panel, PagedPanel | TransformPanel)
+        assert panel.page == page
+        window.session.undo_stack.setClean()
+    window.close()
+
+
+def test_every_page_of_a_workspace_is_told_with_its_run() -> None:
+    told = {each.slug: set(each.pages) for each in workspaces()}
+    assert told["display"] == {row.slug for row in display_pages()}
+    assert told["space"] == {row.slug for row in space_pages()}
+    assert told["transform"] == {"transform", SLUG}
 
 
 @pytest.mark.parametrize(

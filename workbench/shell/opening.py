@@ -29,7 +29,18 @@ def open_question(window: MainWindow, question: Question) -> None:
 
 
 def enter_where_seen(window: MainWindow, left_in: str = "") -> None:
-    """Go to the workspace that a picture was left in, or else to one where its sheet can be seen."""
+    """Go to the workspace, and in it to the page, that a picture was left in, by the name of its run; or else
+    to one where its sheet can be seen.
+    """
+    of_pages = {
+        run: (slug, page)
+        for slug in window.workspace_slugs
+        for run, page in window.workspace(slug).pages.items()
+    }
+    if left_in in of_pages:
+        workspace, page = of_pages[left_in]
+        window.enter(workspace, lambda: window.panels(workspace)[0].show_page(page))
+        return
     places = (left_in, place_for(window.session.sheet), "draw")
     window.enter(next(place for place in places if place in window.workspace_slugs))
 

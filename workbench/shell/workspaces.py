@@ -1,6 +1,6 @@
 """The workspaces, in the order of the course: each an arrangement of panels over one session."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from importlib import import_module
 from typing import TYPE_CHECKING, NamedTuple, TypeVar
@@ -47,7 +47,8 @@ P = TypeVar("P")
 class Workspace(NamedTuple):
     """One workspace. ``panels`` are "module:class", the first of which fills the middle; they are made when
     the workspace is first shown. ``steps`` tells whether the step bar belongs to it, ``topics`` which
-    algorithms it is about, ``lower`` which docks begin in the lower group of the side column.
+    algorithms it is about, ``lower`` which docks begin in the lower group of the side column. ``pages`` are
+    those of its pages that have a run of their own, by the name of that run.
     """
 
     slug: str
@@ -58,6 +59,7 @@ class Workspace(NamedTuple):
     steps: bool = False
     topics: tuple[str, ...] = ()
     lower: tuple[str, ...] = ()
+    pages: Mapping[str, str] = {}
 
     @property
     def modules(self) -> tuple[str, ...]:
@@ -98,6 +100,11 @@ def panel_of(panels: "Sequence[Panel]", kind: type[P]) -> P:
         if isinstance(panel, kind):
             return panel
     raise LookupError(f"no {kind.__name__} here")
+
+
+def _same(*slugs: str) -> Mapping[str, str]:
+    """Pages whose runs have their names."""
+    return {slug: slug for slug in slugs}
 
 
 def titles() -> dict[str, str]:
@@ -151,6 +158,7 @@ def workspaces() -> tuple[Workspace, ...]:
             steps=True,
             topics=("transforms",),
             lower=("hand_table", "source", "about", "whole", "tube"),
+            pages={"transform": "plane", "transform_space": "space"},
         ),
         Workspace(
             "view",
@@ -181,6 +189,7 @@ def workspaces() -> tuple[Workspace, ...]:
             steps=True,
             topics=("projection", "visibility", "shading", "solids"),
             lower=("hand_table", "fragments", "depth_cost", "growth", "variables"),
+            pages=_same("space", "visibility", "shading", "arena"),
         ),
         Workspace(
             "animate",
@@ -200,6 +209,7 @@ def workspaces() -> tuple[Workspace, ...]:
             ("workbench.panels.display.panel:DisplayPanel", inspector),
             steps=True,
             topics=("scanning", "colour", "visibility"),
-            lower=("hand_table", "source", "variables", "about", "phosphors"),
+            lower=("hand_table", "variables", "about"),
+            pages=_same("display", "gun", "raster", "vector", "comparison", "flicker", "colour"),
         ),
     )

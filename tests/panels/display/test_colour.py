@@ -79,6 +79,34 @@ def test_a_colour_is_typed_in_any_model_and_is_the_same_in_all(
     assert not session.undo_stack.canUndo()
 
 
+@pytest.mark.parametrize("width", [580, 1000])
+def test_what_is_wrong_with_a_number_is_read_whole_and_four_decimals_too(
+    qtbot: QtBot, page: ColourPage, session: Session, width: int
+) -> None:
+    page.resize(width, 480)
+    hue, saturation, _value = page.models.sliders["hsv"].parts
+    for channel, text in zip(page.models.sliders["rgb"].parts, ("0.1", "0.2", "0.3"), strict=True):
+        typed(qtbot, channel.field, text)
+        settle(qtbot, session)
+    typed(qtbot, hue.field, "216.67")
+    settle(qtbot, session)
+    assert (hue.field.field.text(), saturation.field.field.text()) == ("216.67", "0.6667")
+    assert not hue.field.field.overflows
+    assert not saturation.field.field.overflows
+    beam = page.masked.errors["red_x"]
+    for number, wrong in enumerate((page.models.sliders["rgb"].parts[1], beam, page.penetration.volts)):
+        part(page, qtbot, number)
+        typed(qtbot, wrong.field, "0,5")
+        settle(qtbot, session)
+        said = wrong.field.complaint
+        assert "0,5" in said.text()
+        assert said.isVisible()
+        assert said.height() >= said.heightForWidth(said.width())
+        assert said.visibleRegion().boundingRect() == said.rect()
+        qtbot.keyClick(wrong.field.field, Qt.Key.Key_Escape)
+        assert not said.isVisible()
+
+
 def test_a_grey_keeps_the_hue_that_was_asked_for(qtbot: QtBot, page: ColourPage, session: Session) -> None:
     hue, saturation, value = page.models.sliders["hsv"].parts
     for field, text in ((hue, "200"), (saturation, "0"), (value, "0"), (value, "1"), (saturation, "0.5")):

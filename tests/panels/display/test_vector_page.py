@@ -1,10 +1,11 @@
 """The page Random scan as a person uses it: step, type, insert, drag the number of lines, store, erase."""
 
+import re
 from collections.abc import Iterator
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QPoint, QPointF, QRectF, QSize, Qt
 from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
@@ -21,6 +22,7 @@ from workbench.rendering.subjects.random_scan import program_for
 from workbench.rendering.subjects.registry import checked
 from workbench.session.session import Session
 from workbench.widgets.look.comfort import comfort
+from workbench.widgets.tube.stroke_view import beside
 
 
 @pytest.fixture
@@ -145,7 +147,9 @@ def test_intensity_and_colour_are_typed(page: VectorPage, session: Session) -> N
         (X, "far", "far"),
         (INTENSITY, "120", "no intensity"),
         (COLOUR, "99", "no colour of the palette"),
-        (X, "1e12", "too far away"),
+        (X, "64", "beyond the screen"),
+        (Y, "-1", "beyond the screen"),
+        (X, "1e12", "beyond the screen"),
     ],
 )
 def test_rubbish_is_said_and_nothing_is_lost(
@@ -216,6 +220,47 @@ def test_dragged_and_by_formula_the_flicker_begins_at_the_same_line(page: Vector
     assert "It flickers." in page.note.text()
     assert page._run.budget.most == most
     assert f"{most:,}" in page.sums.text()
+
+
+def test_the_limit_is_worked_out_from_numbers_that_the_page_says(page: VectorPage) -> None:
+    for arguments in ({"lines": 600, "length": 24.0}, {"lines": 0}, {"lines": 90, "settle": 40.0}):
+        give(page, **arguments)
+        assert page._run is not None
+        eye, line, most = re.findall(r"⌊([\d.,]+) / ([\d.]+)⌋ = ([\d,]+)", page.sums.text())[0]
+        eye_us, most_lines = (float(number.replace(",", "")) for number in (eye, most))
+        assert eye_us // float(line) == most_lines == page._run.budget.most
+        asks = re.search(r"asks for ([\d.]+) Hz", page.note.text())
+        assert asks is not None
+        assert float(asks[1]) == pytest.approx(1e6 / eye_us, rel=5e-3)
+
+
+def test_the_counter_beside_the_beam_is_on_the_glass() -> None:
+    glass, size = QRectF(0.0, 0.0, 200.0, 150.0), QSize(30, 12)
+    for x in range(0, 201, 5):
+        for y in range(0, 151, 5):
+            base = beside(QPointF(x, y), size, glass)
+            word = QRectF(base.x(), base.y() - 12.0, 30.0, 12.0)
+            assert glass.adjusted(0.0, 0.0, 0.0, 8.0).contains(word)
+            assert not word.contains(QPointF(x, y))
+
+
+@pytest.mark.parametrize("width", [560, 660, 1000])
+def test_its_bar_flows_and_cuts_nothing(page: VectorPage, width: int) -> None:
+    give(page, lines=600)
+    page.resize(width, 460)
+    settle(page)
+    bar = page.bar
+    typed_into = bar.fields["pace"].field
+    typed_into.setText("x")
+    QTest.keyClick(typed_into, Qt.Key.Key_Return)
+    settle(page)
+    parts = [bar.display, bar.phosphor, bar.ordered, bar.storage, *bar.fields.values(), bar.complaint]
+    rooms = [part.geometry() for part in parts]
+    for part, room in zip(parts, rooms, strict=True):
+        assert part.isVisible()
+        assert bar.rect().contains(room)
+        assert room.width() >= part.sizeHint().width()
+        assert sum(room.intersects(other) for other in rooms) == 1
 
 
 def test_the_keys_of_the_plot_ask_for_lines(page: VectorPage, qtbot: QtBot) -> None:

@@ -1,6 +1,7 @@
 """A number field as a person uses it: typing, arithmetic, stepping, scrubbing, being told what is wrong."""
 
 import math
+import re
 
 import pytest
 from hypothesis import given
@@ -36,6 +37,13 @@ def test_whatever_is_typed_gives_a_finite_number_or_a_sentence(text):
 def test_what_is_no_number_is_refused(text):
     with pytest.raises(ValueError, match=r"\.$"):
         evaluate(text)
+
+
+@pytest.mark.parametrize(("text", "pointed"), [("0,5", "0.5"), (" −12,25 ", "-12.25"), (",5", ".5")])
+def test_a_decimal_comma_is_answered_with_the_point(text, pointed):
+    with pytest.raises(ValueError, match=rf"comma; write {re.escape(pointed)}\.$"):
+        evaluate(text)
+    assert evaluate(pointed) == float(pointed)
 
 
 def typed(qtbot, field, text):

@@ -15,6 +15,7 @@ from workbench.algorithms.colour.hexagon import CORNERS, hexagon, outline, place
 from workbench.algorithms.colour.parameters import coded_hsv
 from workbench.algorithms.entry import Entry, Law, Parameter, View
 from workbench.algorithms.marks import Mark, Region, Spot, Stroke, along, closed
+from workbench.algorithms.numerals import numeral
 
 
 def hsv_to_rgb(h: float, s: float, v: float) -> Iterator[tuple[float, float, float]]:
@@ -99,11 +100,11 @@ ENTRY = Entry(
     emitted_columns=("r", "g", "b"),
     source="Foley, van Dam, Feiner and Hughes, Computer Graphics, section 13.3.4",
     columns=("symbol", "worked out", "value"),
-    view_functions=(sixth_text, levels_text),
+    view_functions=(numeral, sixth_text, levels_text),
     views=(
         View(
             block="Find the sixth of the hexagon, and how far into it",
-            row="('i, f', 'H / 60', (i, f))",
+            row="('i, f', f'{numeral(h)} / 60', (i, f))",
             sentence="{h} / 60 = {sixths}: sixth {i}, {sixth_text(i)}, and {f} of the way into it.",
         ),
         View(

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from workbench.algorithms.colour.parameters import RGB, coded_rgb
 from workbench.algorithms.entry import Entry, Law, View
 from workbench.algorithms.marks import Ink, Mark, Stroke, Word, along
+from workbench.algorithms.numerals import numeral
 
 
 def rgb_to_cmy(r: float, g: float, b: float) -> Iterator[tuple[float, float, float]]:
@@ -58,20 +59,21 @@ ENTRY = Entry(
     emitted_columns=("c", "m", "y"),
     source="Hearn and Baker, Computer Graphics, C Version, section 15-6",
     columns=("symbol", "worked out", "value"),
+    view_functions=(numeral,),
     views=(
         View(
             block="Cyan takes the red that is missing from white",
-            row="('C', '1 − R', c)",
+            row="('C', f'1 − {numeral(r)}', c)",
             sentence="White has 1 of red and the colour {r}: cyan ink takes the other {c}.",
         ),
         View(
             block="Magenta takes the green that is missing",
-            row="('M', '1 − G', m)",
+            row="('M', f'1 − {numeral(g)}', m)",
             sentence="The colour has {g} of green: magenta ink takes the other {m}.",
         ),
         View(
             block="Yellow takes the blue that is missing",
-            row="('Y', '1 − B', y)",
+            row="('Y', f'1 − {numeral(b)}', y)",
             sentence="The colour has {b} of blue: yellow ink takes the other {y}.",
         ),
     ),

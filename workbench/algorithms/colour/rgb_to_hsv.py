@@ -112,7 +112,7 @@ ENTRY = Entry(
         ),
         View(
             block="The largest is the value",
-            row="('V', 'largest', v)",
+            row="('V', f'max({numeral(r)}, {numeral(g)}, {numeral(b)})', v)",
             sentence="The largest component is the value: V = {v}.",
         ),
         View(

@@ -95,7 +95,7 @@ ENTRY = Entry(
     emits="points",
     source="Sum of exponentials fitted to the decay table of Tektronix, 1966",
     emitted_columns=("t", "light"),
-    columns=("k", "t", "light", "emitted", "stored"),
+    columns=("k", "t (ms)", "light", "emitted", "stored"),
     views=(
         View(
             block="Let every term fade",

@@ -115,7 +115,7 @@ def _program(chance: Random) -> tuple[Any, ...]:
     return np.array(rows, np.float64).reshape(-1, 4), units, *times
 
 
-def _time(name: str, label: str, example: float, meaning: str, unit: str = "us") -> Parameter:
+def _time(name: str, label: str, example: float, meaning: str, unit: str = "µs") -> Parameter:
     return Parameter(name, label, "float", example, 0.0, 1e6, unit, meaning)
 
 
@@ -129,9 +129,9 @@ ENTRY = Entry(
         Parameter("units", "u", "float", 10.0, 1e-3, 1e6, "units", "deflection per unit of the list"),
         _time("start", "t_0", 0.0, "time of a stroke before it moves"),
         Parameter("knee", "N_0", "float", 0.0, 0.0, 1e6, "units", "up to here a stroke takes only t_0"),
-        _time("pace", "c", 0.1, "time per unit, beam on", "us/unit"),
+        _time("pace", "c", 0.1, "time per unit, beam on", "µs/unit"),
         _time("jump_start", "t_j", 0.0, "time of a jump before it moves"),
-        _time("jump_pace", "c_j", 0.07, "time per unit, beam off", "us/unit"),
+        _time("jump_pace", "c_j", 0.07, "time per unit, beam off", "µs/unit"),
         _time("settle", "t_s", 5.0, "time to settle after a jump"),
         _time("dwell", "t_d", 5.0, "least time on a point"),
         _time("shortest", "T_min", 200.0, "shortest frame: one over the highest refresh rate"),
@@ -139,7 +139,7 @@ ENTRY = Entry(
     arguments=_program,
     emits="segments",
     source="Hearn and Baker, Computer Graphics, C Version, section 2-1",
-    columns=("PC", "instruction", "to", "I", "N", "t", "time"),
+    columns=("PC", "instruction", "to", "I", "N", "t (µs)", "time (µs)"),
     views=(
         View(
             block="Fetch the instruction that the counter points at",
@@ -153,25 +153,25 @@ ENTRY = Entry(
         View(
             block="Move the beam while it is off, and let it settle",
             row="(address, 'MOVE', (x, y), program[address, 3], distance, took, time)",
-            sentence="The dark beam jumps {distance} units to ({x}, {y}) and settles: {took} us, "
-            "together {time} us.",
+            sentence="The dark beam jumps {distance} units to ({x}, {y}) and settles: {took} µs, "
+            "together {time} µs.",
         ),
         View(
             block="Draw with the beam on",
             row="(address, 'DRAW', (x, y), program[address, 3], distance, took, time)",
-            sentence="The lit beam draws {distance} units to ({x}, {y}) in {took} us, together {time} us.",
+            sentence="The lit beam draws {distance} units to ({x}, {y}) in {took} µs, together {time} µs.",
         ),
         View(
             block="Wait until the frame may end, and go back to the first one",
             when="took > 0.0",
             row="(address, 'JUMP', 0, 0.0, 0.0, took, time)",
-            sentence="The list is done early and waits {took} us: the frame takes {time} us. "
+            sentence="The list is done early and waits {took} µs: the frame takes {time} µs. "
             "Then it begins again at 0.",
         ),
         View(
             block="Wait until the frame may end, and go back to the first one",
             row="(address, 'JUMP', 0, 0.0, 0.0, took, time)",
-            sentence="The list took {time} us, all the time there is: it begins again at 0 without a wait.",
+            sentence="The list took {time} µs, all the time there is: it begins again at 0 without a wait.",
         ),
     ),
     view_functions=(operation_name,),

@@ -3,10 +3,11 @@
 from collections.abc import Sequence
 from functools import partial
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QKeySequence, QShowEvent
 from PySide6.QtWidgets import (
     QButtonGroup,
+    QDockWidget,
     QHBoxLayout,
     QMainWindow,
     QMenu,
@@ -15,6 +16,7 @@ from PySide6.QtWidgets import (
     QVBoxLayout,
     QWidget,
 )
+from shiboken6 import isValid
 
 from workbench.exchange.diagrams import Derivation
 from workbench.exchange.tables import Table
@@ -61,6 +63,8 @@ class PagedPanel(PlainPanel, QWidget):
             whole.addLayout(self.switch)
         whole.addWidget(self.stack, 1)
         self.page = ""
+        self._docks_placed = False
+        self._stand_ins: list[QDockWidget] = []  # of no page, in front only for want of a page's own
         self.show_page(self._rows[0].slug)
         session.path_changed.connect(self._take_run)
         session.state_changed.connect(self._follow)
@@ -100,19 +104,26 @@ class PagedPanel(PlainPanel, QWidget):
         self._take_run()
 
     def _bring_docks_forward(self) -> None:
-        """Where docks of another page lie before those of this one, exchange them."""
+        """Where a dock of another page lies in front, put one of this page there, or else one of no page."""
         docks = {
             slug: [
                 dock for _name, _title, part, _area in page.docks() if (dock := dock_around(part)) is not None
             ]
             for slug, page in self._pages.items()
         }
-        of_others = {dock for slug, those in docks.items() if slug != self.page for dock in those}
-        for dock in docks[self.page]:
-            area = dock.parentWidget()
-            beside = area.tabifiedDockWidgets(dock) if isinstance(area, QMainWindow) else []
-            if any(each in of_others and in_front(each) for each in beside):
-                dock.raise_()
+        own = docks[self.page]
+        of_others = [dock for slug, those in docks.items() if slug != self.page for dock in those]
+        stand_ins, self._stand_ins = filter(isValid, self._stand_ins), []  # those of a reset area are gone
+        for foreign in [*of_others, *stand_ins]:
+            area = foreign.parentWidget()
+            if not isinstance(area, QMainWindow) or foreign.isFloating() or not in_front(foreign):
+                continue
+            beside = [foreign, *area.tabifiedDockWidgets(foreign)]
+            if here := [dock for dock in own if dock in beside]:
+                here[0].raise_()
+            elif common := [dock for dock in beside if dock not in of_others]:
+                self._stand_ins.append(common[0])
+                common[0].raise_()
 
     def _follow(self, *_states: object) -> None:
         """Show the page whose run is stepped, since another page may have led there."""
@@ -133,6 +144,9 @@ class PagedPanel(PlainPanel, QWidget):
         """The run is that of the page."""
         super().showEvent(event)
         self._take_run()
+        if not self._docks_placed:
+            self._docks_placed = True
+            QTimer.singleShot(0, self, self._bring_docks_forward)
 
     def point_at(self, cell: Cell | None) -> None:
         """Show on the page where a pixel is that the sentence names."""

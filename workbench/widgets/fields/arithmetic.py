@@ -3,6 +3,7 @@
 import ast
 import math
 import operator
+import re
 from collections.abc import Callable
 
 from workbench.engine.parsing import parse_expression
@@ -15,6 +16,7 @@ _BINARY: dict[type[ast.operator], Callable[[float, float], float]] = {
     ast.Div: operator.truediv,
 }
 LONGEST = 100
+_COMMA = re.compile(r"-?\d*,\d+")
 
 
 def evaluate(text: str) -> float:
@@ -24,6 +26,9 @@ def evaluate(text: str) -> float:
         raise ValueError(_("The field is empty; type a number or arithmetic such as 30/2."))
     if len(plain) > LONGEST:
         raise ValueError(_("This is too long; type at most {count} characters.").format(count=LONGEST))
+    if _COMMA.fullmatch(plain):
+        pointed = plain.replace(",", ".")
+        raise ValueError(_("{text!r} has a comma; write {pointed}.").format(text=text, pointed=pointed))
     try:
         value = _value(parse_expression(plain))
     except ZeroDivisionError:

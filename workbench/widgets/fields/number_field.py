@@ -7,6 +7,7 @@ from PySide6.QtCore import QEvent, QObject, QPointF, QRect, Qt, Signal
 from PySide6.QtGui import (
     QFocusEvent,
     QFontDatabase,
+    QFontMetrics,
     QKeyEvent,
     QKeySequence,
     QMouseEvent,
@@ -25,8 +26,10 @@ from PySide6.QtWidgets import (
 
 from workbench.language import _
 from workbench.widgets.fields.arithmetic import evaluate
+from workbench.widgets.look.type_faces import code_font
 
 SCRUB_PX = 4
+_FRAME_PX = 21  # around the digits
 _BESIDE_PX = 2
 _DOTS = "…"
 
@@ -144,7 +147,7 @@ class NumberField(QWidget):
     """``edited`` comes when a value was typed or stepped, ``scrubbed`` while the label is dragged.
 
     ``scrub_ended`` follows a drag. The unit stays, whatever is typed; a bad value is said under the field and
-    is not sent. ``integer`` rounds nothing: a fraction is refused in words.
+    is not sent. ``integer`` rounds nothing: a fraction is refused in words. ``digits`` is its room.
     """
 
     edited = Signal(float)
@@ -162,6 +165,7 @@ class NumberField(QWidget):
         integer: bool = False,
         meaning: str = "",
         complaint: QLabel | None = None,
+        digits: int = 5,
         parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
@@ -175,7 +179,7 @@ class NumberField(QWidget):
         self.field.setAccessibleName(meaning or label)
         self._tip = _("{meaning}: type a number or arithmetic such as 30/2.").format(meaning=meaning or label)
         self.field.setToolTip(self._tip)
-        self.field.setFixedWidth(60)
+        self.field.setFixedWidth(QFontMetrics(code_font()).horizontalAdvance("0" * digits) + _FRAME_PX)
         self.label.setBuddy(self.field)
         self.unit = QLabel(unit, self)
         self.unit.setProperty("role", "muted")

@@ -21,6 +21,7 @@ _TINT = 46
 _SPOT_PX = 13
 _FACTOR = 1.1
 _FAR = 10.0
+_AXIS_PX = 64  # of times with their units
 
 
 class FlickerMap(Plot):
@@ -41,7 +42,10 @@ class FlickerMap(Plot):
         self._dragging = False
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setToolTip(
-            _("Drag the point, or use the arrows (Shift: ten times as far): it sets the tube beside it.")
+            _(
+                "Drag the point, or use the arrows (Shift: ten times as far): it sets the tube beside it. "
+                "Persistence is the time in which the light falls to 10 %."
+            )
         )
 
     def sizeHint(self) -> QSize:
@@ -81,6 +85,7 @@ class FlickerMap(Plot):
         self._lay(self._items["point"])
         self._plot.viewport().installEventFilter(self)
         self._plot.getAxis("left").setStyle(hideOverlappingLabels=True)
+        self._plot.getAxis("left").setWidth(_AXIS_PX)
         self._plot.showGrid(x=False, y=False)
 
     def _restyle(self) -> None:
@@ -97,7 +102,7 @@ class FlickerMap(Plot):
         for item in self._words:
             item.setColor(now.text)
             item.setFont(self._font())
-        self._label_axes(_("light falls to 10 % in"), _("refresh, Hz"))
+        self._label_axes(_("persistence"), _("refresh, Hz"))
         self._draw()
         self._mark()
 

@@ -83,7 +83,7 @@ class ColourView(QWidget):
         self.sight.changed.connect(self._come_in_sight)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
-        self.setMinimumSize(140, 120)
+        self.setMinimumSize(100, 60)
         self.setAccessibleName(_("Mask of the colour tube, magnified") if magnified else _("Colour tube"))
         self.setToolTip(
             _("The grains of the face behind the mask: only light of its own colour comes from each.")

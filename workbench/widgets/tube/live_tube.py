@@ -59,7 +59,7 @@ class LiveTube(QWidget):
         self.sight.changed.connect(self._come_in_sight)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
-        self.setMinimumSize(120, 110)
+        self.setMinimumSize(100, 60)
         theme.changed.connect(self.update)
         comfort.changed.connect(self._wake)
 

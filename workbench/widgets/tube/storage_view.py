@@ -55,7 +55,7 @@ class StorageView(QWidget):
         self.sight.changed.connect(lambda _seen: self._wake())
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
-        self.setMinimumSize(120, 110)
+        self.setMinimumSize(100, 60)
         self.setAccessibleName(_("Storage tube"))
         self.setToolTip(_("What is written stays on the face, without any refresh, until all is erased."))
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QLineF, QPointF, Qt, Signal
+from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QFont, QMouseEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QWidget
 
@@ -20,6 +20,7 @@ _JUMP = QColor("#E3B341")
 _CHOSEN = QColor("#5AA9FF")
 _BEAM = QColor("#F5F7FA")
 _MOST_COMING = 4000
+_BESIDE_PX = 8.0
 
 Floats = NDArray[np.float64]
 Point = tuple[float, float]
@@ -96,7 +97,20 @@ class StrokeView(TubeView):
         font = QFont(self.font())
         font.setPixelSize(CAPTION_PX)
         painter.setFont(font)
-        painter.drawText(end + QPointF(8.0, -6.0), f"PC {trace.address}")
+        said = f"PC {trace.address}"
+        size = painter.fontMetrics().boundingRect(said).size()
+        painter.drawText(beside(end, size, self._glass), said)
+
+
+def beside(end: QPointF, size: QSize, glass: QRectF) -> QPointF:
+    """Where a word of this ``size`` begins, on its base line: to the right of a point and above it, or on the
+    other side where it would come too near to the edge of the glass.
+    """
+    to_left = end.x() + size.width() + 2 * _BESIDE_PX > glass.right()
+    below = end.y() - size.height() - 2 * _BESIDE_PX < glass.top()
+    return end + QPointF(
+        -_BESIDE_PX - size.width() if to_left else _BESIDE_PX, _BESIDE_PX + size.height() if below else -6.0
+    )
 
 
 def _lines(ends: Floats) -> Sequence[QLineF]:

@@ -27,7 +27,7 @@ from workbench.rendering.subjects.colour_model import (
     number,
     setup_of,
 )
-from workbench.widgets.fields.number_field import NumberField
+from workbench.widgets.fields.number_field import NumberField, complaint_label
 from workbench.widgets.look.tips import tell_choice
 from workbench.widgets.tube.colour_view import ColourView
 
@@ -58,6 +58,7 @@ class MaskView(QWidget):
         tell_choice(self.kinds)
         for kind in KINDS:
             self.kinds.addItem(mask_title(kind), kind)
+        self.complaint = complaint_label()
         self.pitch = self._field(_("Pitch"), "mm", PITCH_MM, _("From grain to grain of one colour"), 0.01)
         self.across = self._field(_("Close-up"), "mm", WIDTH_MM, _("How much of the face is magnified"), 1.0)
         self.slow = self._field(
@@ -68,7 +69,9 @@ class MaskView(QWidget):
             1000.0,
         )
         self.errors = {
-            name: NumberSlider(Coordinate(name[-1], meaning, _MOST_ERROR_MM, "mm", 0.05, -_MOST_ERROR_MM))
+            name: NumberSlider(
+                Coordinate(name[-1], meaning, _MOST_ERROR_MM, "mm", 0.05, -_MOST_ERROR_MM), self.complaint
+            )
             for name, meaning in zip(
                 ERRORS,
                 (
@@ -91,9 +94,16 @@ class MaskView(QWidget):
         self._lay_out()
         self._connect()
 
-    @staticmethod
-    def _field(label: str, unit: str, bounds: Number, meaning: str, step: float) -> NumberField:
-        return NumberField(label, unit, low=bounds.low, high=bounds.high, step=step, meaning=meaning)
+    def _field(self, label: str, unit: str, bounds: Number, meaning: str, step: float) -> NumberField:
+        return NumberField(
+            label,
+            unit,
+            low=bounds.low,
+            high=bounds.high,
+            step=step,
+            meaning=meaning,
+            complaint=self.complaint,
+        )
 
     def _lay_out(self) -> None:
         head = QHBoxLayout()
@@ -125,6 +135,7 @@ class MaskView(QWidget):
         whole.addWidget(both, 1)
         whole.addWidget(self.facts)
         whole.addLayout(beams)
+        whole.addWidget(self.complaint)
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Expanding)
 
     def _connect(self) -> None:

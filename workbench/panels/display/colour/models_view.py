@@ -35,6 +35,7 @@ from workbench.widgets.canvas.plane import Plane
 from workbench.widgets.canvas.plane_view import PlaneView
 from workbench.widgets.colour.solid_view import SolidView, titles
 from workbench.widgets.colour.solids import Model
+from workbench.widgets.fields.number_field import complaint_label
 from workbench.widgets.look.tokens import RADIUS, colour, tokens
 
 _BOXES = {TO_CMY: (0.0, -0.25, 1.5, 1.25)}
@@ -55,7 +56,7 @@ def coordinates(model: Model) -> tuple[Coordinate, ...]:
             Coordinate("Y", _("Yellow, which takes blue away")),
         ),
         "hsv": (
-            Coordinate("H", _("Hue, from red over green"), 360.0, "°", 1.0),
+            Coordinate("H", _("Hue, from red over green"), 360.0, "°", 1.0, decimals=2),
             Coordinate("S", _("Saturation: 0 is grey")),
             Coordinate("V", _("Value: 0 is black")),
         ),
@@ -101,7 +102,8 @@ class ModelsView(QWidget):
         super().__init__(parent)
         models: tuple[Model, ...] = ("rgb", "cmy", "hsv")
         self.solids = {model: SolidView(model) for model in models}
-        self.sliders = {model: Sliders(coordinates(model)) for model in models}
+        self.complaint = complaint_label()
+        self.sliders = {model: Sliders(coordinates(model), self.complaint) for model in models}
         self.plane = PlaneView()
         self.plane.setMinimumSize(110, 110)
         self.plane.setToolTip(_("What the text that is stepped has worked out so far"))
@@ -123,6 +125,7 @@ class ModelsView(QWidget):
         grid.addWidget(self.stepped, 0, 3)
         grid.addWidget(self.plane, 1, 3)
         grid.addWidget(self._choices(), 2, 3)
+        grid.addWidget(self.complaint, 3, 0, 1, 4)
         grid.setRowStretch(1, 1)
         for column in range(4):
             grid.setColumnStretch(column, 1)

@@ -34,6 +34,7 @@ from workbench.exchange.tables import Table
 from workbench.language import _
 from workbench.panels.display.colour.sliders import Coordinate, NumberSlider
 from workbench.rendering.subjects.colour_model import given, number
+from workbench.widgets.fields.number_field import complaint_label
 from workbench.widgets.tables.structure_table import StructureModel
 from workbench.widgets.tables.table_columns import FittedColumns
 from workbench.widgets.tables.table_copies import CopiedTable
@@ -72,7 +73,9 @@ class PenetrationView(QWidget):
         super().__init__(parent)
         self.tube = TubeView("vector")
         self.tube.set_setup(TubeSetup(COLOUR_TUBE))
-        self.volts = NumberSlider(Coordinate("V", _("Accelerating voltage"), MOST_KV, "kV", 0.1, LEAST_KV))
+        self.complaint = complaint_label()
+        volts = Coordinate("V", _("Accelerating voltage"), MOST_KV, "kV", 0.1, LEAST_KV)
+        self.volts = NumberSlider(volts, self.complaint)
         self.buttons = {one.name: QPushButton(colour_title(one.name)) for one in COLOURS}
         self.own = QCheckBox(_("Colours of the sheet"))
         self.own.setAccessibleName(self.own.text())
@@ -124,6 +127,7 @@ class PenetrationView(QWidget):
         whole.setContentsMargins(0, 0, 0, 0)
         whole.setSpacing(6)
         whole.addLayout(head)
+        whole.addWidget(self.complaint)
         whole.addWidget(both, 1)
 
     def show_subject(

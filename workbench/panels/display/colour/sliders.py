@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QGridLayout, QSizePolicy, QSlider, QWidget
+from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy, QSlider, QWidget
 
 from workbench.language import _
 from workbench.widgets.fields.number_field import NumberField
@@ -13,7 +13,7 @@ _NOTCHES = 1000
 
 
 class Coordinate(NamedTuple):
-    """Letter, meaning, greatest value, unit, step and least value."""
+    """Letter, meaning, greatest value, unit, step and least value; ``decimals`` are shown at most."""
 
     letter: str
     meaning: str
@@ -21,15 +21,19 @@ class Coordinate(NamedTuple):
     unit: str = ""
     step: float = 0.01
     least: float = 0.0
+    decimals: int = 4
 
 
 class NumberSlider(QWidget):
-    """One coordinate; ``changed`` sends a value that a hand asks for, ``held`` that the slider is dragged."""
+    """One coordinate; ``changed`` sends a value that a hand asks for, ``held`` that the slider is dragged.
+
+    What is wrong with a number is said in ``complaint``: there is no room for it beside the slider.
+    """
 
     changed = Signal(float)
     held = Signal(bool)
 
-    def __init__(self, coordinate: Coordinate, parent: QWidget | None = None) -> None:
+    def __init__(self, coordinate: Coordinate, complaint: QLabel, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._coordinate = coordinate
         self._showing = False
@@ -40,6 +44,8 @@ class NumberSlider(QWidget):
             high=coordinate.most,
             step=coordinate.step,
             meaning=coordinate.meaning,
+            complaint=complaint,
+            digits=6,
         )
         self.slider = QSlider(Qt.Orientation.Horizontal)
         self.slider.setRange(0, _NOTCHES)
@@ -69,7 +75,7 @@ class NumberSlider(QWidget):
     def set_value(self, value: float) -> None:
         """Show a value."""
         low, high = self._coordinate.least, self._coordinate.most
-        self.field.set_value(round(value, 4) + 0.0)
+        self.field.set_value(round(value, self._coordinate.decimals) + 0.0)
         self._showing = True
         if not self.slider.isSliderDown():
             self.slider.setValue(round((value - low) / (high - low) * _NOTCHES))
@@ -77,15 +83,20 @@ class NumberSlider(QWidget):
 
 
 class Sliders(QWidget):
-    """Several coordinates one above the other; ``changed`` sends all of them, ``held`` as each of them."""
+    """Several coordinates one above the other; ``changed`` sends all of them, ``held`` as each of them.
+
+    ``complaint`` is that of each.
+    """
 
     changed = Signal(object)
     held = Signal(bool)
 
-    def __init__(self, coordinates: Sequence[Coordinate], parent: QWidget | None = None) -> None:
+    def __init__(
+        self, coordinates: Sequence[Coordinate], complaint: QLabel, parent: QWidget | None = None
+    ) -> None:
         super().__init__(parent)
         self._values = [0.0] * len(coordinates)
-        self.parts = [NumberSlider(coordinate) for coordinate in coordinates]
+        self.parts = [NumberSlider(coordinate, complaint) for coordinate in coordinates]
         grid = QGridLayout(self)
         grid.setContentsMargins(0, 0, 0, 0)
         grid.setVerticalSpacing(2)

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 
 from msgspec.structs import replace
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QComboBox, QSizePolicy, QWidget
 
 from workbench.display import VectorTiming, vector_displays
 from workbench.document.subjects import Argument
@@ -13,6 +13,7 @@ from workbench.rendering.subjects.comparison import ARGUMENTS, compares_displays
 from workbench.rendering.subjects.random_scan import display_of
 from workbench.session.session import Session
 from workbench.widgets.fields.number_field import NumberField, complaint_label
+from workbench.widgets.look.flow_layout import flowing
 from workbench.widgets.look.tips import tell_choice
 
 # By the name of the argument: label, unit, step, meaning.
@@ -38,19 +39,11 @@ class ComparisonBar(QWidget):
         self.display.setMinimumContentsLength(11)
         tell_choice(self.display)
         self.complaint = complaint_label()
+        self.complaint.setWordWrap(False)  # as wide as it is long, the row flows
         self.fields = {name: self._field(name, *words) for name, words in _FIELDS.items()}
-        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-        row = QHBoxLayout()
-        row.setSpacing(10)
-        row.addWidget(self.display)
-        for field in self.fields.values():
-            row.addWidget(field)
-        row.addStretch(1)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(2)
-        column.addLayout(row)
-        column.addWidget(self.complaint)
+        row = flowing(self, across=10, down=2)
+        for part in (self.display, *self.fields.values(), self.complaint):
+            row.addWidget(part)
         self.display.activated.connect(lambda k: self.give(display=self.display.itemData(k)))
 
     def _field(self, name: str, label: str, unit: str, step: float, meaning: str) -> NumberField:
@@ -60,6 +53,7 @@ class ComparisonBar(QWidget):
             label, unit, low=max(number.low, 0.0), high=number.high, step=step, integer=number.whole,
             meaning=meaning, complaint=self.complaint,
         )  # fmt: skip
+        field.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
 
         def change(value: float) -> None:
             self.give(**{name: int(value) if number.whole else value})

@@ -21,7 +21,7 @@ from workbench.algorithms.scanning.operations import DRAW
 from workbench.algorithms.scanning.random_scan import random_scan as text
 from workbench.display.list_time import list_time
 from workbench.display.magnified import magnified_raster, magnified_vector
-from workbench.display.refresh_limit import LineTime, longest_steady_s, needed_hz
+from workbench.display.refresh_limit import LineTime, longest_steady_s
 from workbench.display.setup import TubeSetup, too_many_pixels
 from workbench.display.timings import RasterTiming
 from workbench.document.subjects import Subject
@@ -216,13 +216,13 @@ class ComparisonPage(PlainPage, QWidget):
         self.refusal.say(refused)
         self._image = _NOTHING if refused else frame_buffer(sheet)
         rate = Fraction(str(number_of(subject, "refresh")))
-        guns = self._setup.guns()
+        longest = longest_steady_s(self._setup.guns())
         self.facts = Facts(
             (sheet.width_px, sheet.height_px),
             RasterTiming.synthesised(sheet.width_px, sheet.height_px, rate),
             timing, units, program, time, line, stairs_of(comparison_program(sheet, 0).strokes),
             filled_pixels(sheet), len(hatched(sheet, hatch)) if hatch else 0,
-            needed_hz(guns, time.frame_ps * 1e-12), line.most_lines(longest_steady_s(guns), shortest),
+            1.0 / longest, line.most_lines(longest, shortest),
         )  # fmt: skip
         self._measured = sheet, subject.arguments, self._setup
         return self.facts

@@ -33,7 +33,7 @@ from workbench.rendering.subjects.flicker import (
     number,
     phosphor_of,
 )
-from workbench.widgets.fields.number_field import NumberField
+from workbench.widgets.fields.number_field import NumberField, complaint_label
 from workbench.widgets.look.comfort import comfort
 from workbench.widgets.look.icons import set_icon
 from workbench.widgets.look.tips import tell_choice
@@ -51,6 +51,7 @@ class FlickerControls(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        self.complaint = complaint_label()
         above, below = QHBoxLayout(), QHBoxLayout()
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
@@ -58,6 +59,7 @@ class FlickerControls(QWidget):
         for row in (above, below):
             row.setSpacing(10)
             column.addLayout(row)
+        column.addWidget(self.complaint)
         self.phosphor = self._combo(above, _("Phosphor"), _("What the screen is coated with"), 13)
         for name in names():
             self.phosphor.addItem(phosphor_title(name), name)
@@ -130,6 +132,8 @@ class FlickerControls(QWidget):
             step=step,
             integer=whole,
             meaning=meanings[name],
+            complaint=self.complaint,
+            digits=5 if whole else 6,
         )
         kind = int if whole else float
         field.edited.connect(lambda value: self._send(**{name: kind(value)}))

@@ -7,8 +7,6 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
-    QGridLayout,
-    QHBoxLayout,
     QLabel,
     QSizePolicy,
     QWidget,
@@ -24,6 +22,7 @@ from workbench.panels.stage.folding_card import fill_choices
 from workbench.rendering.subjects.random_scan import ARGUMENTS, display_of, is_ordered, lines_of, runs_a_list
 from workbench.session.session import Session
 from workbench.widgets.fields.number_field import NumberField, complaint_label
+from workbench.widgets.look.flow_layout import flowing
 from workbench.widgets.look.tips import tell_choice
 
 # By the name of the argument: label, unit, step, meaning.
@@ -48,6 +47,7 @@ class VectorBar(QWidget):
         self.ordered = QCheckBox(_("Nearest end first"))
         self.storage = QCheckBox(_("Storage tube"))
         self.complaint = complaint_label()
+        self.complaint.setWordWrap(False)  # as wide as it is long, the row flows
         for widget, name, tip in (
             (self.display, _("Display"), _("Whose beam it is: how fast it draws, jumps and settles")),
             (self.phosphor, _("Phosphor"), _("How long a stroke glows after the beam has passed")),
@@ -66,7 +66,8 @@ class VectorBar(QWidget):
             widget.setToolTip(tip)
         for box in (self.display, self.phosphor):
             box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
-            box.setMinimumContentsLength(11)
+            box.setMinimumContentsLength(9)
+            box.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
             tell_choice(box)
         self.fields = {name: self._field(name, *words) for name, words in _FIELDS.items()}
         self._lay_out()
@@ -80,8 +81,9 @@ class VectorBar(QWidget):
         assert number is not None
         field = NumberField(
             label, unit, low=number.low, high=number.high, step=step, integer=number.whole, meaning=meaning,
-            complaint=self.complaint,
+            complaint=self.complaint, digits=6 if name == "jump_pace" else 5,
         )  # fmt: skip
+        field.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
 
         def change(value: float) -> None:
             self._give(**{name: int(value) if number.whole else value})
@@ -91,27 +93,14 @@ class VectorBar(QWidget):
         return field
 
     def _lay_out(self) -> None:
-        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-        grid = QGridLayout(self)
-        grid.setContentsMargins(0, 0, 0, 0)
-        grid.setSpacing(4)
-        first, second = QHBoxLayout(), QHBoxLayout()
-        for row in (first, second):
-            row.setSpacing(10)
-        for part in (self.display, self.phosphor, self.ordered, self.storage):
-            first.addWidget(part)
-        first.addStretch(1)
-        for field in self.fields.values():
-            second.addWidget(field)
-        second.addStretch(1)
-        grid.addLayout(first, 0, 0)
-        grid.addLayout(second, 1, 0)
-        grid.addWidget(self.complaint, 2, 0)
         self.uncertain = QLabel()
         self.uncertain.setProperty("role", "warn")
         self.uncertain.setWordWrap(False)
         self.uncertain.setTextFormat(Qt.TextFormat.PlainText)
-        first.insertWidget(1, self.uncertain)
+        rows = flowing(self, across=10, down=4)
+        boxes = self.display, self.uncertain, self.phosphor, self.ordered, self.storage
+        for part in (*boxes, *self.fields.values(), self.complaint):
+            rows.addWidget(part)
 
     def _give(self, **given: Argument) -> None:
         session = self._session

@@ -72,6 +72,11 @@ class ListChanges:
                     return
                 rows = with_colour(rows, address, palette[int(number)])
             else:
+                most = run.size[0 if column == X else 1] - 0.5  # the edge of the last pixel
+                if not -0.5 <= number <= most:
+                    said = _("{value:g} lies beyond the screen; give −0.5 to {most:g}.")
+                    self._say(said.format(value=number, most=most))
+                    return
                 x, y = (number, row.y) if column == X else (row.x, number)
                 rows = with_place(rows, address, x, y)
             self._apply(drawn_by(rows), _("Change the display list"), run)

@@ -44,10 +44,11 @@ class ListTable(QWidget):
         self.view.selectionModel().currentRowChanged.connect(self._current_changed)
         self.summary = QLabel()
         self.summary.setProperty("role", "caption")
+        self.summary.setWordWrap(True)
+        self.summary.setContentsMargins(4, 0, 4, 0)
         bar = QHBoxLayout()
         bar.setContentsMargins(4, 0, 4, 0)
         bar.setSpacing(2)
-        bar.addWidget(self.summary, 1)
         self.changes: list[QAction] = []
         for name, text, picture, key in (
             ("stroke", _("Insert a stroke after it"), "plus", "Ins"),
@@ -57,6 +58,7 @@ class ListTable(QWidget):
             ("later", _("Draw the stroke later"), "arrow-down", "Alt+Down"),
         ):
             bar.addWidget(self._button(self._action(name, text, picture, key)))
+        bar.addStretch(1)
         self.copy_action = QAction(_("Copy the list"), self)
         self.copy_action.triggered.connect(self.copy)
         self.view.addAction(self.copy_action)
@@ -65,6 +67,7 @@ class ListTable(QWidget):
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(2)
         column.addLayout(bar)
+        column.addWidget(self.summary)
         column.addWidget(self.view, 1)
         self.setFocusProxy(self.view)
         self.setMinimumWidth(240)

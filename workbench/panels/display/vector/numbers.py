@@ -16,7 +16,8 @@ _INDEX = re.compile(r"T_(\w+)")
 
 class Budget(NamedTuple):
     """The time of a list on a display. ``line`` is that of one of ``lines`` test lines, None for a sheet's
-    own list; ``fusion_hz`` is the rate that the eye asks for, ``most`` how many lines keep it (None: any).
+    own list; ``fusion_hz`` is the rate from which the eye sees it steady, 1 / T_eye (0: any rate), ``most``
+    how many lines keep it (None: any).
     ``unordered_ps`` is the time of the same list in the order of the sheet.
     """
 
@@ -115,10 +116,9 @@ def _limit(budget: Budget) -> str:
         return _("This phosphor glows so long that no list is seen to flicker.")
     if not budget.most:
         return _("Even an empty list is refreshed too seldom for this phosphor: it always flickers.")
-    longest_ms = budget.most * budget.line.total_ps * _MS
     what = _("lines like this") if budget.test else _("lines of its mean length")
-    return _("Steady up to n = ⌊T_eye / t⌋ = {most:,} {what} ({ms:.4g} ms)").format(
-        most=budget.most, what=what, ms=longest_ms
+    return _("Steady up to n = ⌊T_eye / t⌋ = ⌊{eye:,.1f} / {t:.5g}⌋ = {most:,} {what}").format(
+        eye=1e6 / budget.fusion_hz, t=budget.line.total_ps * _US, most=budget.most, what=what
     )
 
 

@@ -5,7 +5,7 @@ from functools import lru_cache
 
 from workbench.algorithms.scanning.operations import DRAW
 from workbench.display.list_time import ListTime, list_time
-from workbench.display.refresh_limit import LineTime, longest_steady_s, needed_hz
+from workbench.display.refresh_limit import LineTime, longest_steady_s
 from workbench.display.setup import TubeSetup
 from workbench.language import _
 from workbench.panels.display.vector.architecture import Working
@@ -105,11 +105,10 @@ def vector_run(session: Session) -> VectorRun:
     test = bool(lines_of(subject))
     length = length_of(sheet, subject) * units
     line = LineTime.of(timing, length) if test else _mean_line(program, time)
-    guns = setup_of(session.state.tube).guns()
     longest = _longest_steady(setup_of(session.state.tube))
     budget = Budget(
         timing, units, shortest, time, len(program.strokes), line, length, test,
-        needed_hz(guns, time.frame_ps * 1e-12), line.most_lines(longest, shortest), unordered,
+        1.0 / longest, line.most_lines(longest, shortest), unordered,
     )  # fmt: skip
     address, drawn = _position(session, program)
     size = sheet.width_px, sheet.height_px
