@@ -77,5 +77,5 @@ def test_a_quarter_of_a_quarter_turn() -> None:
 
 @pytest.mark.parametrize("quaternion", [[0.0, 0, 0, 0], [math.nan, 0, 0, 0], [math.inf, 0, 0, 0]])
 def test_what_is_no_orientation_is_refused(quaternion: list[float]) -> None:
-    with pytest.raises(ValueError, match="no orientation"):
+    with pytest.raises(ValueError, match="not an orientation"):
         list(slerp(np.array([1.0, 0, 0, 0]), np.array(quaternion), 3))

@@ -3,6 +3,8 @@
 import numpy as np
 import pytest
 
+from workbench.algorithms import catalogue
+from workbench.algorithms.shading import illuminate
 from workbench.algorithms.shading.illumination import in_shadow
 from workbench.algorithms.shading.shadow_boxes import boxed_blockers, is_box
 from workbench.algorithms.visibility.back_faces import SpaceVector
@@ -54,6 +56,19 @@ def test_the_same_places_are_in_shadow(seed: int) -> None:
         assert in_shadow(place, SpaceVector(*way.tolist()), reach, rows) == plain
         dark += plain
     assert 20 < dark < 380
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_light_is_the_same_through_boxes(seed: int) -> None:
+    """What ``illuminate`` emits beside a crowd of blockers, as they are and in boxes."""
+    place, *given, _blockers = catalogue.get(illuminate.__name__).example
+    blockers, dark = crowd(60, seed) / 8.0 + (0.0, 0.0, 1.25), set()
+    for x, y in np.random.default_rng(seed).uniform(-2.0, 2.0, (40, 2)).tolist():
+        there = place + np.array([x, y, 0.0])
+        plain = list(illuminate(there, *given, blockers))
+        assert list(illuminate(there, *given, boxed(blockers))) == plain
+        dark.add(plain != list(illuminate(there, *given, blockers[:0])))
+    assert dark == {True, False}
 
 
 def test_compiled_they_are_the_same() -> None:

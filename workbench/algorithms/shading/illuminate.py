@@ -152,7 +152,7 @@ ENTRY = Entry(
         ),
         Law(
             "Boxes in boxes around what may be in the way leave all shadows as they are.",
-            "shading/test_shadow_boxes.py::test_the_same_places_are_in_shadow",
+            "shading/test_shadow_boxes.py::test_light_is_the_same_through_boxes",
         ),
         Law(
             "Several lights add up: their order does not matter.",
