@@ -31,13 +31,10 @@ def state_of(shape: int, numbers: Array, inverse: Array, corner: Array, size: fl
 
     ``inverse`` (3, 4) takes the world into the coordinates of the shape; corner (3,) is the cube's lowest.
     """
-    values = values_in(
-        shape,
-        numbers,
-        own_range(inverse, 0, corner, size),
-        own_range(inverse, 1, corner, size),
-        own_range(inverse, 2, corner, size),
-    )
+    x = own_range(inverse, 0, corner, size)
+    y = own_range(inverse, 1, corner, size)
+    z = own_range(inverse, 2, corner, size)
+    values = values_in(shape, numbers, x, y, z)
     if values.high <= 0.0:
         return FULL
     return EMPTY if values.low >= 0.0 else PARTIAL

@@ -31,18 +31,13 @@ class Cell(NamedTuple):
 def octants_of(x: float, y: float, z: float, size: float, level: int, node: int) -> list[Cell]:
     """The octants of a cube, which has a node; the first of them last, where a stack gives it first."""
     half = size / 2
-    return [
-        Cell(
-            x + half if octant & X else x,
-            y + half if octant & Y else y,
-            z + half if octant & Z else z,
-            half,
-            level + 1,
-            node,
-            octant,
-        )
-        for octant in range(7, -1, -1)
-    ]
+    octants: list[Cell] = []
+    for octant in range(7, -1, -1):
+        x_low = x + half if octant & X else x
+        y_low = y + half if octant & Y else y
+        z_low = z + half if octant & Z else z
+        octants.append(Cell(x_low, y_low, z_low, half, level + 1, node, octant))
+    return octants
 
 
 def corner_of(cell: Cell) -> Array:

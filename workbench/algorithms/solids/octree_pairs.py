@@ -53,17 +53,14 @@ def pairs_of(
     A state is that of each octant, too.
     """
     half = size / 2
-    return [
-        Pair(
-            x + half if octant & X else x,
-            y + half if octant & Y else y,
-            z + half if octant & Z else z,
-            half,
-            inner(first, one, octant),
-            inner(second, other, octant),
-        )
-        for octant in range(7, -1, -1)
-    ]
+    pairs: list[Pair] = []
+    for octant in range(7, -1, -1):
+        x_low = x + half if octant & X else x
+        y_low = y + half if octant & Y else y
+        z_low = z + half if octant & Z else z
+        element, beside = inner(first, one, octant), inner(second, other, octant)
+        pairs.append(Pair(x_low, y_low, z_low, half, element, beside))
+    return pairs
 
 
 def inner(nodes: Array, value: int, octant: int) -> int:

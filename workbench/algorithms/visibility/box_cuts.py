@@ -107,14 +107,10 @@ class Box(NamedTuple):
 
 def joined(box: Box, bins: Array, b: int) -> Box:
     """The box around a box and a bin."""
-    return Box(
-        min(box.x_low, bins[b, X_LOW]),
-        max(box.x_high, bins[b, X_HIGH]),
-        min(box.y_low, bins[b, Y_LOW]),
-        max(box.y_high, bins[b, Y_HIGH]),
-        min(box.z_low, bins[b, Z_LOW]),
-        max(box.z_high, bins[b, Z_HIGH]),
-    )
+    x_low, x_high = min(box.x_low, bins[b, X_LOW]), max(box.x_high, bins[b, X_HIGH])
+    y_low, y_high = min(box.y_low, bins[b, Y_LOW]), max(box.y_high, bins[b, Y_HIGH])
+    z_low, z_high = min(box.z_low, bins[b, Z_LOW]), max(box.z_high, bins[b, Z_HIGH])
+    return Box(x_low, x_high, y_low, y_high, z_low, z_high)
 
 
 def surface_of_box(box: Box, scale: float) -> float:

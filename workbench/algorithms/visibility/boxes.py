@@ -48,9 +48,8 @@ def extents_of(surfaces: list[Surface]) -> Array:
 def one_box(extents: Array, order: Array) -> Boxes:
     """A box around all surfaces of the order, and room for those that it may be divided into."""
     most = max(2 * len(order), 1)
-    boxes = Boxes(
-        np.zeros((most, 6)), np.zeros(most, np.int64), np.zeros(most, np.int64), np.zeros(most, np.int64)
-    )
+    firsts, ends, inner = np.zeros(most, np.int64), np.zeros(most, np.int64), np.zeros(most, np.int64)
+    boxes = Boxes(np.zeros((most, 6)), firsts, ends, inner)
     put_box(boxes, 0, extents, order, 0, len(order))
     return boxes
 
