@@ -1,4 +1,4 @@
-"""Fills compiled beside OpenCV, by turns in one run and on one thread; each test prints its ratios.
+"""Fills and lines compiled beside OpenCV and Skia, by turns, on one thread; each test prints its ratios.
 
 Run with ``pytest tests/bench/test_fill_bench.py --benchmark-enable -s``. Without that switch nothing is
 timed, and only the results are compared.
@@ -118,6 +118,36 @@ def test_a_thousand_polygons_in_one_call(benchmark: BenchmarkFixture) -> None:
         print(
             f"\n1,000 triangles in one call: ours {found['ours'] * 1e6:.0f} us, "
             f"Skia {found['skia'] * 1e6:.0f} us, ratio {ratio:.2f}"
+        )
+        benchmark.extra_info["ratio"] = ratio
+
+
+def test_lines_in_one_call(benchmark: BenchmarkFixture) -> None:
+    skia = pytest.importorskip("skia")
+    function = catalogue.get("bresenham_line").function
+    rows = np.random.default_rng(1).integers(0, SIZE, (20_000 if not benchmark.disabled else 20, 4))
+    image, peer = np.zeros((SIZE, SIZE), np.uint8), np.zeros((SIZE, SIZE), np.uint8)
+    kind = skia.ImageInfo.MakeA8(SIZE, SIZE)
+    canvas = skia.Surface.MakeRasterDirect(kind, peer, SIZE).getCanvas()
+    brush = skia.Paint(AntiAlias=False, Color=skia.ColorWHITE, StrokeWidth=0, Style=skia.Paint.kStroke_Style)
+    ends = [skia.Point(float(x), float(y)) for x, y in rows.reshape(-1, 2) + 0.5]  # centres at a half
+
+    def ours() -> None:
+        compiled.paint_many(function, image, FILL, rows)
+
+    def theirs() -> None:
+        canvas.drawPoints(skia.Canvas.PointMode.kLines_PointMode, ends, brush)
+
+    ours()
+    theirs()
+    assert ((image != 0) == (peer != 0)).mean() > 0.97
+    benchmark(ours)
+    if not benchmark.disabled:
+        found = best_of({"ours": ours, "skia": theirs}, 15)
+        ratio = found["skia"] / found["ours"]
+        print(
+            f"\n20,000 lines in one call: ours {found['ours'] * 1e3:.1f} ms, "
+            f"Skia {found['skia'] * 1e3:.1f} ms, ratio {ratio:.2f}"
         )
         benchmark.extra_info["ratio"] = ratio
 

@@ -20,6 +20,8 @@ from workbench.algorithms.visibility.pieces import (
     plane_of,
     side_of,
     side_of_box,
+    side_of_corners,
+    side_of_kth,
     whole,
 )
 from workbench.algorithms.visibility.surfaces import Surface, covers, in_view, surface_of, surfaces_of
@@ -66,6 +68,19 @@ def pieces_of(scene: Scene) -> tuple[list[Surface], list[Piece]]:
                 pieces.remove(piece)
                 pieces += [part_of(plane, piece, 1), part_of(plane, piece, -1)]
     return surfaces, pieces
+
+
+def test_the_box_of_a_piece_tells_no_other_side_than_its_corners() -> None:
+    sides = set()
+    for scene in scenes(piercing, 20):
+        surfaces, pieces = pieces_of(scene)
+        for other in in_view(surfaces):
+            plane = plane_of(surfaces, other)
+            for k in range(len(pieces)):
+                side = side_of_corners(plane, pieces[k])
+                assert side_of(plane, pieces[k]) == side_of_kth(plane, pieces, k) == side
+                sides.add(side)
+    assert sides >= {-1, 0, 1}
 
 
 @pytest.mark.parametrize("kind", KINDS, ids=lambda kind: kind.__name__)

@@ -85,7 +85,7 @@ def depth_sort(
                 break
             # Split the one that the other's plane or edge cuts
             front, behind = split_in_two(pieces, boxes, plane, split)
-            order.remove(Waiting(boxes[split].z_far, split))
+            order.pop(place if split == q else len(order) - 1)
             put_by_depth(order, pieces, front)
             put_by_depth(order, pieces, behind)
             break

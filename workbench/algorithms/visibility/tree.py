@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from workbench.algorithms.visibility.pieces import CUT_THROUGH, Piece, plane_of, side_of
+from workbench.algorithms.visibility.pieces import CUT_THROUGH, Piece, plane_of, side_of_kth
 from workbench.algorithms.visibility.surfaces import Surface
 
 NONE = -1
@@ -33,7 +33,7 @@ def dividing(pieces: list[Piece], surfaces: list[Surface], members: list[int]) -
         plane = plane_of(surfaces, pieces[members[k]].number)
         splits, balance = 0, 0
         for m in range(0, len(members), stride(len(members), SAMPLES)):
-            side = side_of(plane, pieces[members[m]])
+            side = side_of_kth(plane, pieces, members[m])
             if side == CUT_THROUGH:
                 splits += 1
                 if 0 <= least <= 8 * splits:
