@@ -36,7 +36,9 @@ def stand_in(entry: Entry) -> DrawnBy:
 def painted(entry: Entry, given: tuple[Any, ...]) -> tuple[set[tuple[int, int]], list[NDArray[Any]]]:
     """The pixels that a call emits, and its arrays as they are afterwards."""
     own = tuple(a.copy() if isinstance(a, np.ndarray) else a for a in given)
-    rows = np.array(list(entry.function(*own))).reshape(-1, 3 if entry.emits == "spans" else 2)
+    emitted = list(entry.function(*own))
+    wide = len(emitted[0]) if emitted else 3 if entry.emits == "spans" else 2
+    rows = np.array(emitted).reshape(-1, wide)
     return set(map(tuple, pixels(entry, rows).tolist())), [a for a in own if isinstance(a, np.ndarray)]
 
 

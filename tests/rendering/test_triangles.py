@@ -101,8 +101,8 @@ def test_equal_depths_keep_the_first() -> None:
     [
         ({"vertices": [[0, 0]]}, "three numbers"),
         ({"faces": [[0, 1]]}, "three indices"),
-        ({"faces": [[0, 1, 3]]}, "not there"),
-        ({"faces": [[0, 1, -1]]}, "not there"),
+        ({"faces": [[0, 1, 3]]}, "does not exist"),
+        ({"faces": [[0, 1, -1]]}, "does not exist"),
         ({"colours": [1, 2]}, "one number for each face"),
         ({"vertices": [[0, 0, 0], [1, float("nan"), 0], [0, 1, 0]]}, "finite"),
         ({"size": (0, 5)}, "1 or more"),

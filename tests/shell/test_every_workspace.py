@@ -32,6 +32,7 @@ from workbench.shell.start import make_window
 from workbench.shell.window import MainWindow
 from workbench.shell.workspaces import workspaces
 from workbench.widgets.fields.number_field import EntryLine
+from workbench.widgets.look.tips import plain_tip
 from workbench.widgets.stepping.sentence_view import SentenceView
 
 NAME = "<b>name</b>"
@@ -93,7 +94,7 @@ def cut(widget: QWidget) -> str:
             field = QStyle.SubControl.SC_ComboBoxEditField
             room = widget.style().subControlRect(QStyle.ComplexControl.CC_ComboBox, option, field, widget)
             text = widget.currentText()
-            whole = metrics.horizontalAdvance(text) <= room.width() + 1 or text in widget.toolTip()
+            whole = metrics.horizontalAdvance(text) <= room.width() + 1 or plain_tip(text) in widget.toolTip()
             return "" if whole and metrics.height() <= widget.height() else text
         case QToolButton() if widget.toolButtonStyle() == Qt.ToolButtonStyle.ToolButtonIconOnly:
             return ""

@@ -78,7 +78,7 @@ def test_numbers_of_the_matrices_edit_what_they_stand_for(qtbot, session, panel)
     panel.matrices.numbers.edited.emit(4, 1, 1, 0.0)
     panel.matrices.numbers.edit_ended.emit()
     settle()
-    assert "leaves nothing of the picture" in panel.card.complaint.text()
+    assert "nothing of the picture is left" in panel.card.complaint.text()
     assert viewport(panel) == (0.0, 2.0, 6.0, 6.0)
     assert panel.matrices.numbers.terms[4].cells[1][1].value == pytest.approx(4 / 3)
 

@@ -298,7 +298,7 @@ def test_what_cannot_be_drawn_is_refused_in_one_sentence(change: dict[str, Any],
 def test_a_shading_has_a_name_and_goes_through_the_depth_buffer() -> None:
     with pytest.raises(ValueError, match="There is no shading 'cel'; choose one of flat, flat_shading"):
         render_scene(full_scene(), "depth_buffer", SIZE, "cel")
-    with pytest.raises(ValueError, match="'phong' goes through the depth buffer"):
+    with pytest.raises(ValueError, match="'phong' needs the depth buffer"):
         render_scene(full_scene(), "painter", SIZE, "phong")
 
 

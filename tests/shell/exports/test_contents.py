@@ -24,7 +24,7 @@ pytestmark = pytest.mark.qt_log_ignore("This plugin does not support", extend=Tr
 def test_the_picture_has_every_pixel(qtbot: QtBot, window: MainWindow, tmp_path: Path) -> None:
     trigger(window, "export_picture")
     type_name(qtbot, window, "p")
-    assert "p.png is written" in written(qtbot, window)
+    assert "p.png has been written" in written(qtbot, window)
     sheet = window.session.sheet
     with Image.open(tmp_path / "p.png") as image:
         cell = image.width // sheet.width_px
@@ -66,13 +66,13 @@ def test_a_sheet_that_moves_is_a_gif_frames_and_a_sheet_of_frames(
     window.session.open_example("animate-clock")
     card = window.files.exports.writing.card
     trigger(window, "export_animation")
-    assert card.speed.currentText() == "24 frames a second"
+    assert card.speed.currentText() == "24 frames per second"
     assert card.note.text().startswith("61 frames at its own rate: ")
     card.width_px.setCurrentIndex(card.width_px.findData(480))
     card.go.click()
     type_name(qtbot, window, "a")
     said = written(qtbot, window)
-    assert "a.gif is written" in said
+    assert "a.gif has been written" in said
     assert "hundredths of a second" in said
     with Image.open(tmp_path / "a.gif") as gif:
         assert (gif.n_frames, gif.size) == (61, (480, 480))
@@ -146,6 +146,7 @@ def test_export_is_found_by_its_name(window: MainWindow) -> None:
         "Export this step...",
         "Export this run...",
         "Export the derivation...",
+        "Export the drawing of the tube...",
         "Export the hand table...",
         "Export the points of the curve...",
         "Export the animation...",

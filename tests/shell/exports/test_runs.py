@@ -34,7 +34,7 @@ def test_a_run_as_gif_has_every_step_at_the_speed_that_was_chosen(
 ) -> None:
     choose_run(window, ".gif", width=480, seconds=0.2)
     type_name(qtbot, window, "walk")
-    assert "walk.gif is written" in written(qtbot, window)
+    assert "walk.gif has been written" in written(qtbot, window)
     with Image.open(tmp_path / "walk.gif") as image:
         assert image.width == 480
         assert image.info["loop"] == 0
@@ -66,7 +66,7 @@ def test_frames_say_exactly_what_they_replace(qtbot: QtBot, window: MainWindow, 
     )
     assert names(tmp_path) == before
     next(each for each in window.messages.buttons() if each.text() == "Replace them").click()
-    assert "11 files, walk-000.png to walk-010.png, are written" in written(qtbot, window)
+    assert "11 files, walk-000.png to walk-010.png, have been written" in written(qtbot, window)
     assert names(tmp_path) == [*(f"walk-{k:03d}.png" for k in range(11)), "work.gwb"]
     for k in range(11):
         with Image.open(tmp_path / f"walk-{k:03d}.png") as image:

@@ -56,10 +56,10 @@ def test_gains_and_costs_tell_of_the_method_that_is_stepped(qtbot, page, session
         "109 pixels show another surface than by ray casting: where the depths of surfaces overlap" in words
     )
     assert "2 surfaces; the depth buffer keeps 1,536 depths" in words
-    assert "Drawn in the other order" not in words
+    assert "Drawn in the opposite order" not in words
     session.update_state(subject=Subject("visibility"))
     recorded(qtbot, session)
-    qtbot.waitUntil(lambda: "Drawn in the other order" in page.cost.words.text(), timeout=20_000)
+    qtbot.waitUntil(lambda: "Drawn in the opposite order" in page.cost.words.text(), timeout=20_000)
 
 
 @pytest.mark.parametrize("method", SURFACE_METHODS)

@@ -85,7 +85,7 @@ def test_a_click_goes_to_the_fragment_and_lists_all_that_came(qtbot, page, sessi
     assert session.state.step == TELLING
     listed = [page.fragments.list.item(k).text() for k in range(page.fragments.list.count())]
     assert listed == [
-        "Step 332: Triangle 0, won.\n0.5200 is less than 1.0000, stored there.",
+        "Step 332: Triangle 0, won.\n0.5200 is less than 1.0000, which is stored there.",
         "Step 684: Triangle 1, won, and remains.\n0.5075 is less than 0.5200, which is stored there.",
     ]
     assert page.fragments.list.currentRow() == 1

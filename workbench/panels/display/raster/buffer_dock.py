@@ -41,6 +41,7 @@ from workbench.panels.display.raster.colour_grid import ColourGrid
 from workbench.panels.display.raster.setting import RasterSetting
 from workbench.rendering import frame_buffer
 from workbench.rendering.subjects.raster import depth_of, table_of
+from workbench.widgets.look.flow_layout import flowing
 from workbench.widgets.look.in_sight import InSight
 
 _REST_MS = 120
@@ -117,7 +118,7 @@ class BufferDock(QScrollArea):
         row.addWidget(self.entry, 1)
         row.addWidget(self.colour)
         column.addLayout(row)
-        column.addLayout(self._buttons())
+        column.addWidget(self._buttons())
         for widget in (self.fault, self.loss, self.depths):
             column.addWidget(widget)
         column.addStretch(1)
@@ -151,8 +152,9 @@ class BufferDock(QScrollArea):
         table.cellActivated.connect(lambda row, _column: self.choose_depth(DEPTHS[row]))
         return table
 
-    def _buttons(self) -> QHBoxLayout:
-        row = QHBoxLayout()
+    def _buttons(self) -> QWidget:
+        buttons = QWidget()
+        row = flowing(buttons, 6)
         self.change = QPushButton(_("Change"))
         self.add = QPushButton(_("Add"))
         self.remove = QPushButton(_("Remove"))
@@ -166,7 +168,6 @@ class BufferDock(QScrollArea):
             button.setToolTip(tip)
             button.setAccessibleName(tip)
             row.addWidget(button)
-        row.addStretch(1)
         self.change.clicked.connect(lambda: self.ask_colour(self.grid.index))
         self.add.clicked.connect(lambda: self._take((*self.table, 0xFFFFFF)))
         self.remove.clicked.connect(self._remove)
@@ -174,7 +175,7 @@ class BufferDock(QScrollArea):
         for title, make in self._loads():
             menu.addAction(title, partial(self._load, make))
         self.load.setMenu(menu)
-        return row
+        return buttons
 
     @staticmethod
     def _loads() -> Sequence[tuple[str, object]]:

@@ -31,6 +31,7 @@ from workbench.panels.space.shading.light_faults import word_of
 from workbench.session.session import Session
 from workbench.widgets.fields.number_field import NumberField
 from workbench.widgets.look.icons import set_icon
+from workbench.widgets.look.tips import tell_choice
 
 _STEPS = {"shininess": 1.0}
 
@@ -52,6 +53,7 @@ class LampsDock(QScrollArea):
         self.choice = QComboBox()
         self.choice.setAccessibleName(_("Light or material"))
         self.choice.setToolTip(_("The light or material whose numbers are shown"))
+        tell_choice(self.choice)
         self.choice.activated.connect(lambda _index: self._choose())
         self.add = self._button(_("Add light"), "plus", self.add_light, _("Put a light above the scene"))
         self.remove = self._button(_("Remove"), "trash", self.delete, _("Remove this light"))
