@@ -128,10 +128,12 @@ def test_points_that_are_no_text_are_refused_as_every_text_is(tmp_path: Path, ki
     assert read_now(Job("points", str(path))).tolist() == [[1, 2], [3, 4]]
 
 
-def test_every_example_is_read_at_once(tmp_path: Path) -> None:
+def test_every_example_that_is_not_long_is_read_at_once(tmp_path: Path) -> None:
     for one in examples():
-        (tmp_path / "a.gwb").write_bytes(encode(Stored(one.document)))
-        assert read_at_once(Job("picture", str(tmp_path / "a.gwb"))) == Stored(one.document)
+        content = encode(Stored(one.document))
+        (tmp_path / "a.gwb").write_bytes(content)
+        read = read_at_once(Job("picture", str(tmp_path / "a.gwb")))
+        assert read == (Stored(one.document) if len(content) <= reading.AT_ONCE else None)
 
 
 def test_short_text_that_takes_long_is_left_to_the_child() -> None:

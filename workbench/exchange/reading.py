@@ -35,7 +35,7 @@ from workbench.exchange.svg_tree import MOST_BYTES
 from workbench.language import _
 from workbench.rendering.mapping import device_map
 
-AT_ONCE = 100_000  # bytes that may be read without a child
+AT_ONCE = 50_000  # bytes that may be read without a child
 _AT_ONCE_S = 0.05  # of the processor, after which a child is asked after all
 _POINTS_IN_A_PART = 5_000
 _BLOB_IN_A_PART = 2**20

@@ -53,9 +53,11 @@ class Arrangements:
         return list(self._workspaces[slug].area.docks) if slug in self._workspaces else []
 
     def bring_forward(self, name: str) -> None:
-        """Show a dock of the current workspace, before those that it shares its place with."""
+        """Show a dock of the current workspace, if it has it, before those that it shares its place with."""
         self.stop_reading()
-        self._workspaces[self.current].area.bring_forward(name)
+        area = self._workspaces[self.current].area
+        if name in {dock.objectName() for dock in area.docks}:
+            area.bring_forward(name)
 
     # Reading
 

@@ -61,7 +61,9 @@ def test_a_vector_tube_gets_the_lines_that_are_seen_in_the_colour_of_their_mater
 def test_too_many_edges_and_faces_are_refused_in_a_sentence_and_all_lines_are_shown(monkeypatch):
     scene = scene_of(Sphere())
     monkeypatch.setattr(drawings, "MOST_PAIRS", 1_000)
-    with pytest.raises(ValueError, match="edges and 528 triangles, too many to compare each with each"):
+    with pytest.raises(
+        ValueError, match="edges and 528 triangles, too many to compare each with every other"
+    ):
         line_drawing(scene)
     monkeypatch.setattr(drawings, "MOST_PAIRS_PLAIN", 1_000)
     monkeypatch.setattr(drawings, "MOST_PAIRS_AT_ONCE", 1_000)

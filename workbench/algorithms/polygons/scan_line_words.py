@@ -20,7 +20,6 @@ Pixels = tuple[tuple[int, int], ...]
 COLUMNS = ("y", "x of the crossings", "pixels", "count")
 
 LEVEL = "level"
-
 # Which vertices of vertices_on, under which condition, and how they count
 VERTEX_RULE = (
     ("top", "closed and ", "the edges on both sides end there, so both count, as a pair."),
@@ -65,7 +64,7 @@ def spans_text(spans: Sequence[tuple[int, int]]) -> str:
         if joined and joined[-1][1] == left - 1:
             left = joined.pop()[0]
         joined.append((left, right))
-    return listed([f"{a} to {b}".replace("-", "−") if a < b else f"{a}".replace("-", "−") for a, b in joined])
+    return listed([(f"{a} to {b}" if a < b else f"{a}").replace("-", "−") for a, b in joined])
 
 
 def span_pixels(spans: Sequence[tuple[int, int]], y: int) -> Pixels:

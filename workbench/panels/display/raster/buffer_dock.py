@@ -228,9 +228,14 @@ class BufferDock(QScrollArea):
         """Let a person choose a colour for an entry."""
         if not 0 <= index < len(self.table):
             return
-        before = QColor.fromRgb(self.table[index])
-        chosen = QColorDialog.getColor(before, self, _("Colour of entry {index}").format(index=index))
-        if chosen.isValid():
+        dialog = QColorDialog(QColor.fromRgb(self.table[index]), self)
+        dialog.setWindowTitle(_("Colour of entry {index}").format(index=index))
+        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        dialog.colorSelected.connect(partial(self._take_chosen, index))
+        dialog.open()
+
+    def _take_chosen(self, index: int, chosen: QColor) -> None:
+        if index < len(self.table):
             self.set_colour(index, chosen.rgb() & 0xFFFFFF)
 
     def _typed(self) -> None:
