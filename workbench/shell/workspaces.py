@@ -168,7 +168,7 @@ def workspaces() -> tuple[Workspace, ...]:
             ("workbench.panels.viewing.panel:ViewingPanel", inspector, tube),
             steps=True,
             topics=("viewing", "clipping"),
-            lower=("hand_table", "point", "variables", "tube"),
+            lower=("hand_table", "point", "source", "variables", "about", "tube"),
         ),
         Workspace(
             "curves",

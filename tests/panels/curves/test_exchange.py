@@ -132,7 +132,7 @@ def test_points_fitted_from_the_clipboard_tell_their_error(qtbot):
     QApplication.clipboard().setText("\n".join(starmap("{}\t{}".format, CIRCLE)))
     panel.exchange.paste_fitted()
     assert the_curve(panel).spline == "bezier_path"
-    assert any("px off" in text for text in said)
+    assert any("px away" in text for text in said)
 
 
 def test_curves_are_written_as_svg_and_come_back(qtbot, zigzag, tmp_path):

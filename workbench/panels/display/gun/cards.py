@@ -108,6 +108,7 @@ class BeamCard(GunCard):
         super().__init__(_("Beam"), parent)
         self.focus = QLabel()
         self.focus.setProperty("role", "muted")
+        self.focus.setWordWrap(True)
         self.focus.setToolTip(_("The lens is a model for teaching: its focal length grows with V_f / V_a"))
         self.head.addWidget(self.focus)
         self._flat = False

@@ -4,7 +4,7 @@ from functools import partial
 
 from msgspec.structs import replace
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QLabel, QScrollArea, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from workbench.display.flicker import modulation
 from workbench.display.setup import phosphor_choices
@@ -16,6 +16,7 @@ from workbench.panels.shared.tube_feed import setup_of
 from workbench.panels.stage.card import number_field
 from workbench.rendering.subjects.raster import NUMBERS, SHEET, typed
 from workbench.widgets.fields.number_field import NumberField
+from workbench.widgets.look.flow_layout import flowing
 from workbench.widgets.look.in_sight import InSight
 from workbench.widgets.tube.timing_diagram import kind_title
 
@@ -44,24 +45,24 @@ class ModeDock(QScrollArea):
         self.phosphor.setToolTip(_("What the screen is coated with, and the time in which it decays to 10 %"))
         self.phosphor.activated.connect(self._choose_phosphor)
         self.fields: dict[str, NumberField] = {}
-        grid = QGridLayout()
-        grid.setHorizontalSpacing(12)
-        grid.setVerticalSpacing(4)
-        for column, title in enumerate((_("Line, in clocks"), _("Frame, in lines"))):
-            head = QLabel(title)
+        grid = QWidget()
+        side_by_side, columns = flowing(grid, 12, 4), list[QVBoxLayout]()
+        for title in (_("Line, in clocks"), _("Frame, in lines")):
+            part, head = QWidget(), QLabel(title)
             head.setProperty("role", "muted")
-            grid.addWidget(head, 1, column)
+            columns.append(QVBoxLayout(part))
+            columns[-1].setContentsMargins(0, 0, 0, 0)
+            columns[-1].setSpacing(4)
+            columns[-1].addWidget(head)
+            side_by_side.addWidget(part)
         for place, name in enumerate(("clock_mhz", "refresh_hz", *COUNTS)):
             number = NUMBERS[name]
             field = self.fields[name] = number_field(number, number.label.capitalize())
             give = partial(self._give, name)
             field.edited.connect(give)
             field.scrubbed.connect(give)
-            if place < 2:
-                grid.addWidget(field, 0, place)
-            else:
-                across = name.startswith("h_")
-                grid.addWidget(field, 2 + (place - 2) % 4, 0 if across else 1)
+            across = name == "clock_mhz" or name.startswith("h_")
+            columns[0 if across else 1].insertWidget(0 if place < 2 else -1, field)
         self.totals = QLabel()
         self.interlaced = QCheckBox(_("Interlaced: two fields"))
         self.interlaced.setToolTip(_("Scan every second line in one field, and the others in the next"))
@@ -77,7 +78,7 @@ class ModeDock(QScrollArea):
         column_layout.setContentsMargins(10, 8, 10, 8)
         column_layout.setSpacing(8)
         column_layout.addWidget(self.phosphor)
-        column_layout.addLayout(grid)
+        column_layout.addWidget(grid)
         column_layout.addWidget(self.interlaced)
         for label in (self.totals, self.fault, self.twitter, self.note):
             label.setWordWrap(True)
