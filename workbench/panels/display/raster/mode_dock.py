@@ -18,6 +18,7 @@ from workbench.rendering.subjects.raster import NUMBERS, SHEET, typed
 from workbench.widgets.fields.number_field import NumberField
 from workbench.widgets.look.flow_layout import flowing
 from workbench.widgets.look.in_sight import InSight
+from workbench.widgets.look.tips import tell_choice
 from workbench.widgets.tube.timing_diagram import kind_title
 
 
@@ -43,6 +44,9 @@ class ModeDock(QScrollArea):
             self.phosphor.addItem(phosphor_title(name), name)
         self.phosphor.setAccessibleName(_("Phosphor"))
         self.phosphor.setToolTip(_("What the screen is coated with, and the time in which it decays to 10 %"))
+        self.phosphor.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+        self.phosphor.setMinimumContentsLength(10)
+        tell_choice(self.phosphor)
         self.phosphor.activated.connect(self._choose_phosphor)
         self.fields: dict[str, NumberField] = {}
         grid = QWidget()
