@@ -43,7 +43,7 @@ def test_no_line_runs_off_and_what_goes_on_below_hangs(width: int, qtbot: QtBot)
             if block == text.folded_block:
                 assert len(rows) == 1
             else:
-                assert all(row.x() + row.naturalTextWidth() <= text.viewport().width() + 1 for row in rows)
+                assert all(row.x() + row.naturalTextWidth() <= text.viewport().width() + 2 for row in rows)
             own = len(block.text()) - len(block.text().lstrip())
             for row in rows[1:]:
                 assert row.x() > rows[0].x()
