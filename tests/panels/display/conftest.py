@@ -1,8 +1,9 @@
-"""The page Gun over a session of its own, as it is first seen."""
+"""A session with the picture that a module of tests names, and the page Gun as it is first seen."""
 
 from collections.abc import Iterator
 
 import pytest
+from PySide6.QtWidgets import QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.panels.by_hand import keep_until_the_end
@@ -11,21 +12,28 @@ from workbench.session.session import Session
 
 
 @pytest.fixture
-def session() -> Iterator[Session]:
+def session(request: pytest.FixtureRequest) -> Iterator[Session]:
+    """With the example that the module calls ``EXAMPLE``, or the house of lines."""
     made = Session()
+    made.open_example(getattr(request.module, "EXAMPLE", "house"))
     made.flush()
     yield made
     made.close()
     made.deleteLater()
 
 
+def put_on_screen(qtbot: QtBot, page: QWidget, width: int, height: int) -> None:
+    """Show a widget that is kept until the test has ended."""
+    keep_until_the_end(qtbot, page)
+    page.resize(width, height)
+    with qtbot.waitExposed(page):
+        page.show()
+
+
 @pytest.fixture
 def gun_page(qtbot: QtBot, session: Session) -> GunPage:
     made = GunPage(session)
-    keep_until_the_end(qtbot, made)
-    made.resize(900, 460)
-    with qtbot.waitExposed(made):
-        made.show()
+    put_on_screen(qtbot, made, 900, 460)
     session.visit("gun", made.usual)
     session.flush()
     qtbot.waitUntil(lambda: session.run.done and session.run.entry is not None)

@@ -1,7 +1,5 @@
 """The page Colour as a person uses it: solids, sliders, the mask, convergence, and colour by voltage."""
 
-from collections.abc import Iterator
-
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
@@ -9,6 +7,7 @@ from PySide6.QtWidgets import QAbstractButton, QComboBox, QSlider
 from pytestqt.qtbot import QtBot
 
 from tests.panels.by_hand import keep_until_the_end
+from tests.panels.display.conftest import put_on_screen
 from workbench.display.penetration import coded_layers
 from workbench.document import DocumentError
 from workbench.document.subjects import Subject
@@ -17,24 +16,13 @@ from workbench.panels.display.panel import DisplayPanel
 from workbench.rendering.subjects.colour_model import hsv_of, rgb_of
 from workbench.session.session import Session
 
-
-@pytest.fixture
-def session() -> Iterator[Session]:
-    one = Session()
-    one.open_example("colour-bars")
-    one.flush()
-    yield one
-    one.close()
-    one.deleteLater()
+EXAMPLE = "colour-bars"
 
 
 @pytest.fixture
 def page(qtbot: QtBot, session: Session) -> ColourPage:
     one = ColourPage(session)
-    keep_until_the_end(qtbot, one)
-    one.resize(1000, 600)
-    with qtbot.waitExposed(one):
-        one.show()
+    put_on_screen(qtbot, one, 1000, 600)
     session.visit("colour", one.usual)
     settle(qtbot, session)
     return one

@@ -1,7 +1,5 @@
 """The page Raster or random as a person uses it: one glass over both tubes, areas, numbers, the answer."""
 
-from collections.abc import Iterator
-
 import pytest
 from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtGui import QMouseEvent
@@ -9,7 +7,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from tests.panels.by_hand import keep_until_the_end
+from tests.panels.display.conftest import put_on_screen
 from workbench.exchange.diagrams import Drawing
 from workbench.panels.display.comparison.page import PAGE, ComparisonPage
 from workbench.rendering.hatching import filled_pixels, hatched
@@ -17,25 +15,15 @@ from workbench.rendering.subjects.comparison import lens_of
 from workbench.session.session import Session
 from workbench.widgets.formulas.paper import write_pdf
 
-
-@pytest.fixture
-def session() -> Iterator[Session]:
-    made = Session()
-    made.open_example("raster-or-random")
-    made.visit(PAGE, ComparisonPage.usual)
-    made.flush()
-    yield made
-    made.close()
-    made.deleteLater()
+EXAMPLE = "raster-or-random"
 
 
 @pytest.fixture
 def page(qtbot: QtBot, session: Session) -> ComparisonPage:
     made = ComparisonPage(session)
-    keep_until_the_end(qtbot, made)
-    made.resize(900, 560)
-    with qtbot.waitExposed(made):
-        made.show()
+    put_on_screen(qtbot, made, 900, 560)
+    session.visit(PAGE, ComparisonPage.usual)
+    session.flush()
     qtbot.waitUntil(lambda: session.run.done and session.run.entry is not None)
     settle(made)
     return made

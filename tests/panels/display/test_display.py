@@ -1,6 +1,5 @@
 """The Display workspace as a person uses it: choose, slow down, pause, step, measure."""
 
-from collections.abc import Iterator
 from fractions import Fraction
 from pathlib import Path
 
@@ -10,6 +9,7 @@ from PySide6.QtWidgets import QAbstractButton, QComboBox, QSlider
 from pytestqt.qtbot import QtBot
 
 from tests.panels.by_hand import keep_until_the_end
+from tests.panels.display.conftest import put_on_screen
 from tests.panels.display.strips import cut_texts, lies_whole
 from workbench.display import RasterBeam
 from workbench.display.retrace import RetracingBeam
@@ -24,22 +24,9 @@ from workbench.widgets.look.spans import span_text
 
 
 @pytest.fixture
-def session() -> Iterator[Session]:
-    made = Session()
-    made.open_example("house")
-    made.flush()
-    yield made
-    made.close()
-    made.deleteLater()
-
-
-@pytest.fixture
 def panel(qtbot: QtBot, session: Session) -> TubesPage:
     made = TubesPage(session)
-    keep_until_the_end(qtbot, made)
-    made.resize(1100, 560)
-    with qtbot.waitExposed(made):
-        made.show()
+    put_on_screen(qtbot, made, 1100, 560)
     return made
 
 

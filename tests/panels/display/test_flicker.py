@@ -1,14 +1,12 @@
 """The page Flicker as a person uses it: numbers, the map, the light, motion, and real flashing."""
 
-from collections.abc import Iterator
-
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QAbstractButton, QComboBox
 from pytestqt.qtbot import QtBot
 
-from tests.panels.by_hand import keep_until_the_end
+from tests.panels.display.conftest import put_on_screen
 from workbench.display.flicker import in_closed_form
 from workbench.display.phosphor import Phosphor, names
 from workbench.document import DocumentError
@@ -20,22 +18,9 @@ from workbench.widgets.look.comfort import comfort
 
 
 @pytest.fixture
-def session() -> Iterator[Session]:
-    one = Session()
-    one.open_example("house")
-    one.flush()
-    yield one
-    one.close()
-    one.deleteLater()
-
-
-@pytest.fixture
 def page(qtbot: QtBot, session: Session) -> FlickerPage:
     one = FlickerPage(session)
-    keep_until_the_end(qtbot, one)
-    one.resize(1000, 600)
-    with qtbot.waitExposed(one):
-        one.show()
+    put_on_screen(qtbot, one, 1000, 600)
     session.visit("flicker", one.usual)
     session.flush()
     qtbot.waitUntil(lambda: one.tube.driver is not None)

@@ -1,7 +1,6 @@
 """The page Random scan as a person uses it: step, type, insert, drag the number of lines, store, erase."""
 
 import re
-from collections.abc import Iterator
 
 import numpy as np
 import pytest
@@ -9,7 +8,7 @@ from PySide6.QtCore import QPoint, QPointF, QRectF, QSize, Qt
 from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
-from tests.panels.by_hand import keep_until_the_end
+from tests.panels.display.conftest import put_on_screen
 from workbench.display.flicker import critical_frequency_hz
 from workbench.display.vector_timing import VectorTiming, vector_displays
 from workbench.document import DocumentError
@@ -26,23 +25,11 @@ from workbench.widgets.tube.stroke_view import beside
 
 
 @pytest.fixture
-def session() -> Iterator[Session]:
-    made = Session()
-    made.open_example("house")
-    made.visit(PAGE, VectorPage.usual)
-    made.flush()
-    yield made
-    made.close()
-    made.deleteLater()
-
-
-@pytest.fixture
 def page(qtbot: QtBot, session: Session) -> VectorPage:
     made = VectorPage(session)
-    keep_until_the_end(qtbot, made)
-    made.resize(900, 560)
-    with qtbot.waitExposed(made):
-        made.show()
+    put_on_screen(qtbot, made, 900, 560)
+    session.visit(PAGE, VectorPage.usual)
+    session.flush()
     qtbot.waitUntil(lambda: session.run.done and session.run.entry is not None)
     made.refresh()
     return made
@@ -347,7 +334,7 @@ def test_a_storage_tube_keeps_what_was_written(page: VectorPage, session: Sessio
     qtbot.waitUntil(lambda: not page.storage.erasing, timeout=4000)
     tube = page.storage.tube
     assert not tube.stored.any()
-    assert "not written yet" in page.storage_bar.note.text()
+    qtbot.waitUntil(lambda: "not written yet" in page.storage_bar.note.text())
     page.storage_bar.write.click()
     assert tube.stored.any()
 

@@ -1,6 +1,5 @@
 """The page Raster as a person uses it: step, click, choose a mode and a depth, type, copy, save."""
 
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -11,6 +10,7 @@ from PySide6.QtWidgets import QAbstractButton, QComboBox, QSlider
 from pytestqt.qtbot import QtBot
 
 from tests.panels.by_hand import keep_until_the_end
+from tests.panels.display.conftest import put_on_screen
 from tests.panels.display.strips import cut_texts, lies_whole
 from workbench.document.storage.files import read
 from workbench.exchange.diagrams import Drawing
@@ -22,22 +22,9 @@ from workbench.session.session import Session
 
 
 @pytest.fixture
-def session() -> Iterator[Session]:
-    made = Session()
-    made.open_example("house")
-    made.flush()
-    yield made
-    made.close()
-    made.deleteLater()
-
-
-@pytest.fixture
 def page(qtbot: QtBot, session: Session) -> RasterPage:
     panel = DisplayPanel(session)
-    keep_until_the_end(qtbot, panel)
-    panel.resize(1000, 640)
-    with qtbot.waitExposed(panel):
-        panel.show()
+    put_on_screen(qtbot, panel, 1000, 640)
     panel.show_page("raster")
     shown = panel.page_of("raster")
     assert isinstance(shown, RasterPage)
