@@ -71,6 +71,15 @@ OFFERED = (
 )
 
 
+@pytest.fixture(autouse=True)
+def nothing_is_left_in_front(qapp: QApplication) -> Iterator[None]:
+    """A dialog or menu that a test leaves open would hold up the tests that follow it."""
+    yield
+    qapp.processEvents()
+    assert qapp.activePopupWidget() is None
+    assert qapp.activeModalWidget() is None
+
+
 @pytest.fixture
 def panels() -> Iterator[None]:
     module = ModuleType(MODULE)

@@ -6,6 +6,8 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from pytestqt.qtbot import QtBot
 
+from tests.shell.conftest import leave
+from tests.shell.dialogs import dialog_of
 from workbench.algorithms import catalogue
 from workbench.document.samples.examples import example_document
 from workbench.document.state import SessionState
@@ -39,7 +41,7 @@ def test_the_twelfth_question_opens_the_turn_about_a_point_at_its_step(qtbot: Qt
     assert window.session.run.entry is not None
     assert window.session.run.entry.slug == "matrix_product"
     assert window.session.sheet.figures[-1].transforms
-    window.close()
+    leave(window)
 
 
 @pytest.mark.parametrize(("number", "page"), [(1, "space"), (2, "visibility"), (5, "space"), (7, "arena")])
@@ -62,7 +64,7 @@ def test_questions_of_space_open_their_page_with_a_dock_and_a_diagram(
     diagram = panel.derivation()
     assert diagram is not None
     assert len(diagram.blocks) > 5
-    window.close()
+    leave(window)
 
 
 def test_the_sixth_question_opens_the_tube_cut_open_at_its_start(qtbot: QtBot) -> None:
@@ -90,7 +92,8 @@ def test_the_sixth_question_opens_the_tube_cut_open_at_its_start(qtbot: QtBot) -
     assert isinstance(page, GunPage)
     with qtbot.waitSignal(export.triggered):
         qtbot.mouseClick(page.bar.save, Qt.MouseButton.LeftButton)
-    window.close()
+    dialog_of(qtbot, window).reject()
+    leave(window)
 
 
 def test_the_tenth_question_leads_to_pages_that_have_the_docks_they_need_in_front(qtbot: QtBot) -> None:
@@ -119,8 +122,7 @@ def test_the_tenth_question_leads_to_pages_that_have_the_docks_they_need_in_fron
     ):
         panel.show_page(page)
         qtbot.waitUntil(lambda name=dock: seen() == {name, "hand_table"}, timeout=10_000)  # type: ignore[misc]
-    window.session.undo_stack.setClean()
-    window.close()
+    leave(window)
 
 
 def test_a_file_opens_on_the_page_that_it_was_left_on(qtbot: QtBot, tmp_path: Path) -> None:
@@ -144,7 +146,7 @@ def test_a_file_opens_on_the_page_that_it_was_left_on(qtbot: QtBot, tmp_path: Pa
         assert isinstance(panel, PagedPanel | TransformPanel)
         assert panel.page == page
         window.session.undo_stack.setClean()
-    window.close()
+    leave(window)
 
 
 def test_every_page_of_a_workspace_is_told_with_its_run() -> None:
@@ -171,8 +173,7 @@ def test_a_question_is_found_by_its_words_and_by_its_algorithms(
     palette.list.setCurrentRow(rows.index(f"Question {number}: {question.text}"))
     qtbot.keyClick(palette.field, Qt.Key.Key_Return)
     assert window.place == question.workspace
-    window.session.undo_stack.setClean()
-    window.close()
+    leave(window)
 
 
 def test_a_wide_home_has_the_questions_in_two_columns_above_the_examples(qtbot: QtBot) -> None:
@@ -186,7 +187,7 @@ def test_a_wide_home_has_the_questions_in_two_columns_above_the_examples(qtbot: 
         qtbot.waitUntil(lambda n=columns: len({row.mapTo(home, QPoint()).x() for row in rows}) == n)  # type: ignore[misc]
         heights = [row.mapTo(home, QPoint()).y() for row in rows[: 12 // columns]]
         assert heights == sorted(set(heights))
-    assert max(row.mapTo(home, QPoint()).y() for row in rows) < 400
+    qtbot.waitUntil(lambda: max(row.mapTo(home, QPoint()).y() for row in rows) < 400)
 
 
 def test_every_question_is_chosen_by_a_click_and_by_space(qtbot: QtBot) -> None:

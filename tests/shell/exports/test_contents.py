@@ -78,7 +78,8 @@ def test_a_sheet_that_moves_is_a_gif_frames_and_a_sheet_of_frames(
         assert (gif.n_frames, gif.size) == (61, (480, 480))
     trigger(window, "export_animation")
     card.kind.setCurrentIndex(1)
-    card.speed.setCurrentIndex(card.speed.findText("5 frames a second"))
+    card.speed.setCurrentIndex(card.speed.findText("5 frames per second"))
+    assert card.speed.currentText() == "5 frames per second"
     card.go.click()
     (tmp_path / "f-003.png").write_bytes(b"mine")
     type_name(qtbot, window, "f.png")
