@@ -116,7 +116,7 @@ class FlickerPage(PlainPage, QWidget):
         for told in (run.changed, run.moved, run.grown):
             told.connect(self._show_steps)
         self.controls.changed.connect(self.change)
-        self.controls.flash_wanted.connect(lambda: self.warning.ask(number(self.subject, "refresh_hz")))
+        self.controls.calm.flash_wanted.connect(lambda: self.warning.ask(number(self.subject, "refresh_hz")))
         self.controls.moves.toggled.connect(self._let_move)
         self.map.moved.connect(self._point_moved)
         self.map.held.connect(self._hold)
