@@ -54,7 +54,9 @@ def table_fault(bits: int, table: Table) -> str:
     if len(table) == 1 << bits:
         return ""
     if len(table) > 1 << bits:
-        said = _("{bits} bits tell {most} entries apart, and the table has {count}: those beyond are left out.")
+        said = _(
+            "{bits} bits tell {most} entries apart, and the table has {count}: those beyond are left out."
+        )
     else:
         said = _(
             "The colour table is too short: {bits} bits tell {most} entries apart, and it has {count}. Each "
