@@ -91,7 +91,8 @@ def test_the_usual_tables_have_as_many_entries_as_the_bits_tell_apart() -> None:
     assert ramp(4, 0xFF0000) == (0x000000, 0x550000, 0xAA0000, 0xFF0000)
 
 
-def test_a_table_that_is_empty_or_too_long_is_told_of() -> None:
+def test_a_table_that_is_empty_too_short_or_too_long_is_told_of() -> None:
+    assert "too short: 2 bits tell 4 entries apart, and it has 3" in table_fault(2, (0, 1, 2))
     assert "empty" in table_fault(2, ())
     assert "4" in table_fault(2, (0,) * 5)
     assert not stored(np.ones((2, 2), np.uint32), 2, ()).shown.any()

@@ -72,6 +72,11 @@ def test_coils_worked_by_hand() -> None:
     assert "= 0.1326;" in sentence(5, *run)
 
 
+def test_coils_bend_a_beam_of_twice_the_voltage_less_by_the_root_of_two() -> None:
+    once, twice = (beam((0.0, 0.01), coils=True, v_anode=volts)[-1][2] for volts in (2000.0, 4000.0))
+    assert once / twice == pytest.approx(math.sqrt(2.0), rel=1e-5)
+
+
 @pytest.mark.parametrize(("volts", "speed"), [(1e3, 1.88e4), (1e4, 5.93e4), (2.5e4, 9.38e4)])
 def test_speeds_worked_by_hand(volts: float, speed: float) -> None:
     run = (-18.0, 0.21 * volts, volts, *EXAMPLE[3:])

@@ -223,7 +223,10 @@ def test_keys_to_pages(
 def test_settings_take_effect_and_stay(window: MainWindow, open_window: Callable[[], MainWindow]) -> None:
     window.go("settings")
     page = window.stack.currentWidget()
-    page.calm.setChecked(False)
+    page.calm.click()
+    assert comfort.calm is True
+    assert "seizure" in page.warning.words.text()
+    page.warning.show_it.click()
     page.ask.setChecked(True)
     page.theme.setCurrentIndex(page.theme.findData("dark"))
     assert comfort.calm is False
@@ -234,7 +237,7 @@ def test_settings_take_effect_and_stay(window: MainWindow, open_window: Callable
     assert again.themes.choice == "dark"
     assert comfort.calm is False
     again.go("settings")
-    again.stack.currentWidget().calm.setChecked(True)
+    again.stack.currentWidget().calm.click()
     again.themes.choose("light")
     assert comfort.calm is True
 

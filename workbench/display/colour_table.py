@@ -51,11 +51,18 @@ def table_fault(bits: int, table: Table) -> str:
         return ""
     if not table:
         return _("The colour table is empty, so every pixel would be black: load a ramp, or add a colour.")
+    if len(table) == 1 << bits:
+        return ""
     if len(table) > 1 << bits:
-        return _(
+        said = _(
             "{bits} bits tell {most} entries apart, and the table has {count}: those beyond are left out."
-        ).format(bits=bits, most=1 << bits, count=len(table))
-    return ""
+        )
+    else:
+        said = _(
+            "The colour table is too short: {bits} bits tell {most} entries apart, and it has {count}. Each "
+            "pixel takes the nearest of those; load a ramp, or add colours."
+        )
+    return said.format(bits=bits, most=1 << bits, count=len(table))
 
 
 def channels_of(colours: Colours) -> NDArray[np.int64]:

@@ -6,9 +6,9 @@ from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QCheckBox, QComboBox, QFormLayout, QLabel, QPushButton
 
 from workbench.language import _
+from workbench.panels.display.flash_warning import CalmSwitch, FlashWarning
 from workbench.shell.pages import SidePage, heading, paragraph
 from workbench.shell.theme import choose_theme
-from workbench.widgets.look.comfort import comfort
 
 if TYPE_CHECKING:
     from workbench.shell.window import MainWindow
@@ -40,8 +40,10 @@ class SettingsPage(SidePage):
         self.large = self._choice("large_text", _("Larger type"), _("All text a quarter larger"))
         self.large.toggled.connect(lambda on: window.themes.choose(window.themes.choice, on))
         heading(self.column, _("Comfort"))
-        self.calm = self._choice("calm", _("Calm"), _("Hold flicker, flashing and motion still"))
-        self.calm.toggled.connect(comfort.set_calm)
+        self.calm, self.warning = CalmSwitch(), FlashWarning()
+        self.calm.flash_wanted.connect(lambda: self.warning.ask())
+        self.column.addWidget(self.calm)
+        self.column.addWidget(self.warning)
         paragraph(
             self.column,
             _("With Calm on, tubes show steady light, and nothing moves unless you ask for it."),
@@ -64,10 +66,9 @@ class SettingsPage(SidePage):
         self.column.addStretch(1)
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Theme, type and calm may have been chosen elsewhere meanwhile."""
+        """Theme and type may have been chosen elsewhere meanwhile."""
         self.theme.setCurrentIndex(max(0, self.theme.findData(self._window.settings.get("theme"))))
         self.large.setChecked(self._window.settings.get("large_text"))
-        self.calm.setChecked(comfort.calm)
         super().showEvent(event)
 
     def _choice(self, name: str, text: str, tooltip: str) -> QCheckBox:

@@ -11,6 +11,8 @@ from tests.panels.display.conftest import put_on_screen
 from workbench.display.penetration import coded_layers
 from workbench.document import DocumentError
 from workbench.document.subjects import Subject
+from workbench.exchange.diagram_svg import write_diagram
+from workbench.exchange.diagrams import Drawing, Heading, Sentence
 from workbench.panels.display.colour.page import ColourPage
 from workbench.panels.display.panel import DisplayPanel
 from workbench.rendering.subjects.colour_model import hsv_of, rgb_of
@@ -292,3 +294,18 @@ def test_display_has_the_pages(qtbot: QtBot, session: Session) -> None:
         session.flush()
         assert session.state.workspace == slug
         assert session.state.subject.kind == kind
+
+
+def test_the_derivation_works_out_the_colour_and_the_layers(page: ColourPage, session: Session) -> None:
+    page.change({"red": 0.2, "green": 0.4, "blue": 0.6, "kilovolts": 10.0})
+    text = " ".join(block.text for block in page.derivation().blocks if isinstance(block, Heading | Sentence))
+    for worked_out in ("$C = 1 - R = 0.8$", "(0.6 - 0.2) / 0.6 = 0.6667$", "$H = 210$°"):
+        assert worked_out in text
+    assert "(6 / 10)^2)$ = 80.0 %; in the red layer 20.0 %" in text
+    assert all(f"{point}." in text for point in range(1, 6))
+    assert sum(isinstance(block, Drawing) for block in page.derivation().blocks) == 2
+    assert write_diagram(page.derivation()).startswith("<")
+    page.change({"red": 0.5, "green": 0.5, "blue": 0.5, "kilovolts": 5.0})
+    text = " ".join(block.text for block in page.derivation().blocks if isinstance(block, Sentence))
+    assert "A grey has no hue." in text
+    assert "all of the energy stays in the red layer" in text

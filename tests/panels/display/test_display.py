@@ -123,9 +123,14 @@ def test_the_flicker_meter_says_that_calm_holds_it_still_and_has_the_switch(
     assert controls.flicker.text().endswith("; Calm holds it still")
     assert controls.calm.isChecked()
     controls.calm.click()
+    assert comfort.calm
+    assert controls.calm.isChecked()
+    assert "flash 20 times a second" in panel.warning.words.text()
+    panel.warning.show_it.click()
     panel._say()
     try:
         assert not comfort.calm
+        assert not panel.warning.isVisible()
         assert "Calm" not in controls.flicker.text()
     finally:
         comfort.set_calm(True)

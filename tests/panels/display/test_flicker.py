@@ -11,6 +11,8 @@ from workbench.display.flicker import in_closed_form
 from workbench.display.phosphor import Phosphor, names
 from workbench.document import DocumentError
 from workbench.document.subjects import Subject
+from workbench.exchange.diagram_svg import write_diagram
+from workbench.exchange.diagrams import Heading, Sentence
 from workbench.panels.display.flicker.figures import column_at, moved_picture
 from workbench.panels.display.flicker.page import FlickerPage
 from workbench.session.session import Session
@@ -213,3 +215,21 @@ def test_every_control_has_a_name_and_a_tooltip(page: FlickerPage) -> None:
 def test_a_steady_tube_rests(qtbot: QtBot, page: FlickerPage) -> None:
     qtbot.waitUntil(lambda: not page.tube.running, timeout=5000)
     assert not page._moving.isActive()
+
+
+def test_the_derivation_works_out_why_it_flickers(qtbot: QtBot, page: FlickerPage) -> None:
+    page.change({"phosphor": "P39", "refresh_hz": 30.0, "luminance": 100.0})
+    page.session.flush()
+    qtbot.waitUntil(lambda: page.measures.table.rows[0][2].endswith("%"))
+    text = " ".join(block.text for block in page.derivation().blocks if isinstance(block, Heading | Sentence))
+    (term,) = Phosphor.named("P39").terms
+    percent = np.tanh(1.0 / (60.0 * term.tau_s))
+    depth = 2.0 / np.hypot(1.0, 60.0 * np.pi * term.tau_s)
+    fusion = 60.0 + 16.6 * np.log10(100.0 * depth / 137.0)
+    assert f"= {100.0 * percent:.1f} %" in text
+    assert f"= {depth:.3f}, at most 2" in text
+    assert f"= {fusion:.1f} Hz at a mean luminance of 100 cd/m²" in text
+    assert "30 Hz flickers" in text
+    assert "measured …" not in text
+    assert all(f"{point}." in text for point in range(1, 6))
+    assert write_diagram(page.derivation()).startswith("<")

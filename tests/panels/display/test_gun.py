@@ -15,6 +15,7 @@ from workbench.display.gun import OFF, SINE
 from workbench.document.errors import DocumentError
 from workbench.document.storage.files import read
 from workbench.exchange.diagram_svg import write_diagram
+from workbench.exchange.diagrams import Sentence
 from workbench.panels.display.gun.page import GunPage
 from workbench.panels.display.gun.parts import numbers_of
 from workbench.panels.display.gun.presets import presets
@@ -259,6 +260,21 @@ def test_the_answer_has_a_diagram_and_five_points(page: GunPage) -> None:
     assert ">26524" in text  # km/s: the root of 2 e V / m at 2 kV, without relativity
     for asked in ("Electrostatic:", "Magnetic:", "Focus<", "Brightness<", "Contrast<"):
         assert asked in text
+
+
+def test_the_answer_works_out_the_turn_of_coils(page: GunPage) -> None:
+    page._edit({"coils": True, "length": 20.0, "x_field": 0.0, "y_field": 1.0})
+    settle(page)
+    made = page.derivation()
+    assert made is not None
+    text = " ".join(block.text for block in made.blocks if isinstance(block, Sentence))
+    assert "= 0.1326$ for $l = 20$ mm, $B = 1$ mT, $V_a = 2000$ V." in text
+    assert "= 26.76$ mm from the middle" in text
+    page._edit({"y_field": 10.0})
+    settle(page)
+    made = page.derivation()
+    assert made is not None
+    assert "No sine is 1 or more" in " ".join(b.text for b in made.blocks if isinstance(b, Sentence))
 
 
 def test_the_button_asks_what_the_menu_asks(page: GunPage, qtbot: QtBot) -> None:

@@ -7,7 +7,6 @@ from msgspec.structs import replace
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import (
     QButtonGroup,
-    QCheckBox,
     QComboBox,
     QHBoxLayout,
     QLabel,
@@ -20,9 +19,9 @@ from workbench.display import VectorTiming, vector_displays
 from workbench.display.phosphor import Phosphor
 from workbench.display.setup import COLOUR_TUBE, phosphor_choices
 from workbench.language import _
+from workbench.panels.display.flash_warning import CalmSwitch
 from workbench.session.session import Session
 from workbench.widgets.fields.number_field import NumberField
-from workbench.widgets.look.comfort import comfort
 from workbench.widgets.look.flow_layout import flowing
 from workbench.widgets.look.icons import icon
 from workbench.widgets.look.spans import span_text
@@ -203,17 +202,8 @@ class DisplayControls(QWidget):
             )
         )
         row.addWidget(self.flicker)
-        self.calm = QCheckBox(_("Calm"))
-        self.calm.setAccessibleName(_("Calm"))
-        self.calm.setToolTip(_("Hold flicker, flashing and motion still, here and everywhere"))
-        self.calm.toggled.connect(comfort.set_calm)
-        comfort.changed.connect(self.show_calm)
+        self.calm = CalmSwitch()
         row.addWidget(self.calm)
-        self.show_calm()
-
-    def show_calm(self) -> None:
-        """Whether flicker is held still."""
-        self.calm.setChecked(comfort.calm)
 
     def _colour_icons(self) -> None:
         for button, name in self._buttons:

@@ -9,6 +9,7 @@ from workbench.display.raster_beam import RasterBeam
 from workbench.display.refresh_limit import needed_hz
 from workbench.language import _
 from workbench.panels.display.controls import DisplayControls
+from workbench.panels.display.flash_warning import FlashWarning
 from workbench.panels.display.instruments import TubeInstruments
 from workbench.panels.shared.tube_feed import TubeFeed
 from workbench.panels.stage.plain_page import PlainPage
@@ -30,6 +31,7 @@ class TubesPage(PlainPage, QWidget):
         self.controls = DisplayControls(session)
         self.raster, self.vector = TubeView("raster"), TubeView("vector")
         self.instruments = TubeInstruments()
+        self.warning = FlashWarning()
         self.note = QLabel()
         self.note.setProperty("role", "muted")
         self.note.setWordWrap(True)
@@ -43,11 +45,13 @@ class TubesPage(PlainPage, QWidget):
         whole.setSpacing(8)
         self.strip = FlowArea(self.controls)
         whole.addWidget(self.strip)
+        whole.addWidget(self.warning)
         whole.addLayout(self.tubes, 1)
         whole.addWidget(self.note)
         whole.addWidget(self.instruments)
         self.feed = TubeFeed(session, [self.raster, self.vector], self)
         self.controls.stepped.connect(self._step)
+        self.controls.calm.flash_wanted.connect(lambda: self.warning.ask(self._flash_hz()))
         for tube in (self.raster, self.vector):
             tube.probed.connect(lambda _x, _y, t=tube: self._watch(t))
             tube.advanced.connect(self._say)
@@ -109,17 +113,22 @@ class TubesPage(PlainPage, QWidget):
             self.note.setVisible(bool(words))
         self.controls.show_flicker(self._flicker())
 
+    def _glowing(self) -> list[TubeView]:
+        return [tube for tube in (self.raster, self.vector) if not tube.isHidden()]
+
+    def _flash_hz(self) -> float:
+        """How often a second the faster tube really flashes."""
+        return max(tube.refresh_hz for tube in self._glowing()) / self.session.state.tube.slow_motion
+
     def _words(self) -> str:
         state = self.session.state.tube
         said = []
-        shown = [tube for tube in (self.raster, self.vector) if not tube.isHidden()]
-        if comfort.calm and state.slow_motion > 1.0 and any(tube.averaged for tube in shown):
-            rate = max(tube.refresh_hz for tube in shown) / state.slow_motion
+        if comfort.calm and state.slow_motion > 1.0 and any(tube.averaged for tube in self._glowing()):
             said.append(
                 _(
                     "Calm holds this still: it would flash {rate:.3g} times a second. Slow the tube "
                     "down further to see the beam, or switch Calm off beside the flicker meter."
-                ).format(rate=rate)
+                ).format(rate=self._flash_hz())
             )
         if not self.vector.isHidden():
             said.extend(dict.fromkeys(sentence for _id, sentence in unshown(self.session.sheet)))

@@ -242,6 +242,7 @@ def test_the_colour_table_is_edited(page: RasterPage, session: Session, qtbot: Q
     session.flush()
     page.buffer.refresh()
     assert page.buffer.table == (0, 0xAAAAAA, 0xFFFFFF)
+    assert "too short" in page.buffer.fault.text()
     assert page.buffer.add.isEnabled()
     page.buffer._load(())
     session.flush()

@@ -21,8 +21,10 @@ from workbench.display.setup import DeviceStroke, too_many_pixels
 from workbench.document.model import Sheet
 from workbench.document.state import Look, as_seen
 from workbench.document.subjects import Argument, Position, Subject
+from workbench.exchange.diagrams import Derivation
 from workbench.exchange.tables import Table
 from workbench.language import _
+from workbench.panels.display.colour.derivation import derivation
 from workbench.panels.display.colour.mask_view import MaskView
 from workbench.panels.display.colour.models_view import ModelsView, coordinates
 from workbench.panels.display.colour.penetration_view import PenetrationView
@@ -157,6 +159,10 @@ class ColourPage(PlainPage, QWidget):
         ]
         models = Table((_("symbol"), _("meaning"), _("value")), rows, formulas=False)
         return (_("Colour in three models"), models), (_("Beam penetration"), self.penetration.table)
+
+    def derivation(self) -> Derivation:
+        """How a tube shows colours, as an answer in an exam."""
+        return derivation(self.subject)
 
     def copy(self) -> bool:
         """Put the part that is seen on the clipboard."""

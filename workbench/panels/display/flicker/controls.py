@@ -4,7 +4,6 @@ from collections.abc import Mapping
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
-    QCheckBox,
     QComboBox,
     QHBoxLayout,
     QSizePolicy,
@@ -18,6 +17,7 @@ from workbench.document.fields import Number
 from workbench.document.subjects import Argument, Subject
 from workbench.language import _
 from workbench.panels.display.controls import phosphor_title
+from workbench.panels.display.flash_warning import CalmSwitch
 from workbench.panels.display.flicker.figures import moving
 from workbench.rendering.subjects.flicker import (
     BAR,
@@ -34,19 +34,17 @@ from workbench.rendering.subjects.flicker import (
     phosphor_of,
 )
 from workbench.widgets.fields.number_field import NumberField, complaint_label
-from workbench.widgets.look.comfort import comfort
 from workbench.widgets.look.icons import set_icon
 from workbench.widgets.look.tips import tell_choice
 
 
 class FlickerControls(QWidget):
-    """``changed`` sends the arguments that a hand asks for, ``flash_wanted`` that Calm is to be left off.
+    """``changed`` sends the arguments that a hand asks for.
 
     ``steps`` and ``periods`` are for another place: where the numbers are that they bear on.
     """
 
     changed = Signal(object)
-    flash_wanted = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -87,14 +85,9 @@ class FlickerControls(QWidget):
         set_icon(self.moves, "play")
         below.addWidget(self.moves)
         below.addStretch(1)
-        self.calm = QCheckBox(_("Calm"))
-        self.calm.setAccessibleName(_("Calm"))
-        self.calm.setToolTip(_("Hold flicker, flashing and motion still, here and everywhere"))
-        self.calm.clicked.connect(self._calm_clicked)
+        self.calm = CalmSwitch()
         above.addStretch(1)
         above.addWidget(self.calm)
-        comfort.changed.connect(self.show_calm)
-        self.show_calm()
 
     def _combo(self, row: QHBoxLayout, name: str, meaning: str, letters: int) -> QComboBox:
         box = QComboBox()
@@ -145,17 +138,6 @@ class FlickerControls(QWidget):
     def _send(self, **changes: Argument) -> None:
         asked: Mapping[str, Argument] = changes
         self.changed.emit(asked)
-
-    def _calm_clicked(self, calm: bool) -> None:
-        if calm:
-            comfort.set_calm(True)
-        else:
-            self.calm.setChecked(True)
-            self.flash_wanted.emit()
-
-    def show_calm(self) -> None:
-        """Whether flicker is held still."""
-        self.calm.setChecked(comfort.calm)
 
     def show_subject(self, subject: Subject) -> None:
         """Show the numbers of the subject."""

@@ -23,10 +23,12 @@ from workbench.display.light_probe import ProbedLight, probed_light
 from workbench.display.setup import too_many_pixels
 from workbench.document.state import as_seen
 from workbench.document.subjects import Argument, Position, Subject
+from workbench.exchange.diagrams import Derivation
 from workbench.exchange.tables import Table
 from workbench.language import _
 from workbench.panels.display.flash_warning import FlashWarning
 from workbench.panels.display.flicker.controls import FlickerControls
+from workbench.panels.display.flicker.derivation import derivation
 from workbench.panels.display.flicker.figures import column_at, moved_picture, moving
 from workbench.panels.display.flicker.measures import MeasuresView
 from workbench.panels.display.flicker.phosphor_table import PhosphorTable
@@ -116,7 +118,7 @@ class FlickerPage(PlainPage, QWidget):
         for told in (run.changed, run.moved, run.grown):
             told.connect(self._show_steps)
         self.controls.changed.connect(self.change)
-        self.controls.flash_wanted.connect(lambda: self.warning.ask(number(self.subject, "refresh_hz")))
+        self.controls.calm.flash_wanted.connect(lambda: self.warning.ask(number(self.subject, "refresh_hz")))
         self.controls.moves.toggled.connect(self._let_move)
         self.map.moved.connect(self._point_moved)
         self.map.held.connect(self._hold)
@@ -141,6 +143,12 @@ class FlickerPage(PlainPage, QWidget):
     def tables(self) -> Sequence[tuple[str, Table]]:
         """The measures, and the persistence of every phosphor."""
         return (_("Flicker measures"), self.measures.table), (_("Phosphors"), self.phosphors.table)
+
+    def derivation(self) -> Derivation:
+        """Why it flickers or does not, as an answer in an exam."""
+        subject = self.subject
+        refresh_hz, luminance = setup_of(subject).refresh_hz, number(subject, "luminance")
+        return derivation(phosphor_of(subject), refresh_hz, luminance, self.measures.table)
 
     def copy(self) -> bool:
         """Put the tube as it glows now on the clipboard."""

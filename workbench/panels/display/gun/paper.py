@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 from workbench.algorithms.marks import Ink, Region, Spot, Stroke, Weight, Word, along, closed
-from workbench.algorithms.scanning.electron_optics import CHARGE_TO_MASS
+from workbench.algorithms.scanning.electron_optics import CHARGE_TO_MASS, coil_sine, thrown
 from workbench.display.cutaway import (
     Label,
     beam_outline,
@@ -161,8 +161,7 @@ def _numbers(gun: Gun) -> list[str]:
         ),
     ]
     if gun.coils:
-        lines.append(_("Coils: $sin theta = l B sqrt(e / (2 m V_a))$, and $y = D tan theta$."))
-        return lines
+        return lines + _coils(gun)
     volts = round(float(gun.arguments()[4][1]), 1)
     lines.append(
         _("Plates: $y = l D V_y / (2 d V_a) = {l} * {D} * {v} / (2 * {d} * {a}) = {y}$ mm.").format(
@@ -178,3 +177,24 @@ def _numbers(gun: Gun) -> list[str]:
         _("Beyond $2 d^2 V_a / l^2 = {limit}$ V a plate catches the beam.").format(limit=displayed(gun.limit))
     )
     return lines
+
+
+def _coils(gun: Gun) -> list[str]:
+    """The turn that both coils together give the beam, and how far from the middle it lands."""
+    field_x, field_y = gun.arguments()[4].tolist()
+    sine = coil_sine(field_x, field_y, gun.anode, gun.length)
+    turn = _(
+        "Coils: $sin theta = l B sqrt(e / (2 m V_a)) = {sine}$ for $l = {l}$ mm, $B = {b}$ mT, $V_a = {a}$ V."
+    ).format(
+        sine=displayed(sine),
+        l=displayed(gun.length),
+        b=displayed(math.hypot(field_x, field_y)),
+        a=displayed(gun.anode),
+    )
+    if sine >= 1.0:
+        return [turn, _("No sine is 1 or more: the coils turn the beam round, and it never gets out.")]
+    fall = math.hypot(*thrown(sine, field_x, field_y, gun.reach_y))
+    lands = _("It lands $D tan theta = {reach} * {tangent} = {fall}$ mm from the middle.").format(
+        reach=displayed(gun.reach_y), tangent=displayed(fall / gun.reach_y), fall=displayed(round(fall, 2))
+    )
+    return [turn, lands]
