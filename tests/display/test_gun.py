@@ -111,6 +111,21 @@ def test_focus_changes_the_width_and_not_the_energy() -> None:
     assert sharp.max() > 1.8 * blurred.max()
 
 
+def test_the_spot_on_the_face_swells_and_brightens_with_the_current() -> None:
+    """Its spread is measured on the picture, against the half width that the text emits."""
+    brightest = []
+    for grid in (-40.0, -18.0, 0.0):
+        gun = Gun(grid=grid, x=Deflection(), y=Deflection())
+        _tube, beam = steered_tube(gun, (280, 240), np.float64)
+        picture = beam.energy_per_frame()
+        pitch = FACE_MM[0] / 280
+        x = pitch * (np.arange(280) + 0.5) - FACE_MM[0] / 2
+        spread = math.sqrt((picture.sum(axis=0) * x * x).sum() / picture.sum() - pitch * pitch / 12)
+        assert spread == pytest.approx(gun.way()[-1][3], rel=0.01)
+        brightest.append(picture.max())
+    assert brightest == sorted(brightest)
+
+
 @given(st.floats(-60.0, 0.0))
 def test_the_light_follows_the_current_of_the_grid(grid: float) -> None:
     gun = Gun(grid=grid)

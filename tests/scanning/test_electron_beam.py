@@ -99,11 +99,23 @@ def test_the_grid_passes_nothing_from_its_cut_off_and_all_at_zero(v_cut, peak, g
     assert len(list(electron_beam(*dark, EXAMPLE[6], 60.0))) == 1
 
 
+@given(st.floats(-59.9, 0.0), st.floats(-59.9, 0.0), st.floats(150.0, 900.0))
+def test_the_spot_swells_with_the_current(v_grid, v_other, v_focus) -> None:
+    less, more = sorted((v_grid, v_other))
+    currents = [beam_current(grid, -60.0, 100.0, 2.4) for grid in (less, more)]
+    sharp = [beam(v_grid=grid)[-1][3] ** 2 for grid in (less, more)]
+    assert sharp[1] - sharp[0] == pytest.approx(0.16 * (currents[1] - currents[0]) / 36.0, abs=1e-12)
+    assert beam(v_grid=-60.0 + 1e-9)[-1][3] == pytest.approx(0.4)  # of hardly any current
+    assert currents[0] / sharp[0] <= currents[1] / sharp[1] * (1 + 1e-12)
+    blurred = [beam(v_grid=grid, v_focus=v_focus)[-1][3] for grid in (less, more)]
+    assert blurred[0] <= blurred[1]
+
+
 @given(st.floats(0.3, 3.0), st.floats(-600.0, 600.0))
 def test_focus_changes_the_width_of_the_spot_and_nothing_else(factor, volts) -> None:
     sharp, other = beam((0.0, volts)), beam((0.0, volts), v_focus=420.0 * factor)
     assert [place[:3] for place in sharp] == [place[:3] for place in other]
-    assert sharp[-1][3] == pytest.approx(0.6)
+    assert sharp[-1][3] == pytest.approx(0.5906, abs=1e-4)
     assert other[-1][3] >= sharp[-1][3]
     wider = beam(v_focus=420.0 * (factor + 0.2 if factor > 1.0 else factor - 0.2))
     assert wider[-1][3] >= beam(v_focus=420.0 * factor)[-1][3]

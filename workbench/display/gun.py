@@ -23,6 +23,7 @@ from workbench.algorithms.scanning.electron_optics import (
     beam_current,
     coil_sine,
     half_width,
+    sharp_spot,
 )
 from workbench.display.phosphor import Phosphor
 from workbench.display.setup import TubeSetup, phosphor_choices
@@ -147,7 +148,8 @@ class Gun:
     @property
     def spot(self) -> float:
         """Half the width of the spot: the standard deviation of the Gaussian."""
-        return half_width(self.screen, (self.screen - LENS_MM) * self.focus / self.best_focus)
+        crossing = (self.screen - LENS_MM) * self.focus / self.best_focus
+        return half_width(self.screen, crossing, sharp_spot(self.beam_current))
 
     def drive_to(self, x: float, y: float) -> tuple[float, float]:
         """The voltages, or fields, that send the beam to a place of the face."""

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from workbench.algorithms.scanning.electron_optics import FACE_MM, SPOT
+from workbench.algorithms.scanning.electron_optics import FACE_MM, sharp_spot
 from workbench.display.beam import BeamState
 from workbench.display.gun import Gun
 from workbench.display.spot import NEAR, across_rows
@@ -48,7 +48,7 @@ class SteeredBeam:
             for hits, side, pitch, cells in zip((x, y), FACE_MM, tube.pitch_mm, tube.size_px, strict=True)
         )
         pixel = pitch_x * pitch_y
-        wide = math.sqrt(2.0 * math.pi) * SPOT
+        wide = math.sqrt(2.0 * math.pi) * sharp_spot(EXPOSED_UA)
         self.power = _PEAK * wide * (length + _DOT * wide) / pixel * gun.beam_current / EXPOSED_UA
         self._frames: Floats | None = None
 
@@ -145,5 +145,5 @@ class SteeredBeam:
 
 def steered_tube(gun: Gun, size_px: tuple[int, int], precision: Any = np.float32) -> tuple[Tube, SteeredBeam]:
     """A tube with a face of so many pixels, and the beam that its settings make."""
-    tube = Tube(size_px, FACE_MM, gun.phosphors, spot_mm=SPOT, precision=precision)
+    tube = Tube(size_px, FACE_MM, gun.phosphors, spot_mm=gun.spot, precision=precision)
     return tube, SteeredBeam(tube, gun)

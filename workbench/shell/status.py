@@ -1,13 +1,12 @@
 """The status bar: what is under the pointer, what is run, the zoom, and how ready the program is."""
 
-from html import escape
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, Qt, QTimer
-from PySide6.QtGui import QPainter, QPaintEvent, QResizeEvent
-from PySide6.QtWidgets import QLabel, QSizePolicy, QStatusBar
+from PySide6.QtCore import QObject, QTimer
+from PySide6.QtWidgets import QLabel, QStatusBar
 
 from workbench.language import _
+from workbench.widgets.look.elided_label import ElidedLabel
 
 if TYPE_CHECKING:
     from workbench.algorithms.entry import Entry
@@ -20,44 +19,6 @@ _HOVER, _RUN = 3, 2
 """How the room that zoom and readiness leave is shared."""
 
 
-class _Words(QLabel):
-    """A line of plain text as wide as there is room: its end is cut visibly, and said when pointed at."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-        self.setTextFormat(Qt.TextFormat.PlainText)
-
-    @property
-    def wide(self) -> int:
-        """The logical pixels that the whole text takes."""
-        return self.fontMetrics().horizontalAdvance(self.text()) + 2 * self.margin()
-
-    def setText(self, text: str) -> None:
-        """Show another text."""
-        super().setText(text)
-        self._say_whole()
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        """More or less of the text is seen."""
-        super().resizeEvent(event)
-        self._say_whole()
-
-    def paintEvent(self, event: QPaintEvent) -> None:
-        """The text, or its beginning."""
-        room = self.contentsRect()
-        seen = self.fontMetrics().elidedText(self.text(), Qt.TextElideMode.ElideRight, room.width())
-        painter = QPainter(self)
-        self.style().drawItemText(
-            painter, room, self.alignment(), self.palette(), self.isEnabled(), seen, self.foregroundRole()
-        )
-        painter.end()
-
-    def _say_whole(self) -> None:
-        whole = self.wide <= self.contentsRect().width()
-        self.setToolTip("" if whole else f"<qt>{escape(self.text())}</qt>")
-
-
 class Status(QObject):
     """Four fields: hover text, run, zoom, readiness.
 
@@ -67,7 +28,7 @@ class Status(QObject):
     def __init__(self, bar: QStatusBar) -> None:
         super().__init__(bar)
         bar.setSizeGripEnabled(False)
-        self.hover = _Words()
+        self.hover = ElidedLabel()
         self.run, self.zoom, self.ready = (QLabel() for _field in range(3))
         bar.addWidget(self.hover, _HOVER)
         bar.addWidget(self.run, _RUN)

@@ -84,3 +84,18 @@ def test_the_card_of_the_beam_tells_current_and_focus_at_any_width(
     for label in (told, card.line):
         assert label.heightForWidth(label.width()) <= label.height()
         assert label.sizeHint().width() <= label.width() or label.wordWrap()
+
+
+def test_the_sliders_of_an_input_stand_beside_one_another_on_a_narrow_page(
+    page: GunPage, qtbot: QtBot
+) -> None:
+    page.setting.change({"y_wave": SINE})
+    page.resize(660, 380)
+    settle(page)
+    page.cards.buttons.button(1).click()
+    fields = [page.cards.up.fields[name] for name in ("peak", "rate", "phase")]
+    qtbot.waitUntil(lambda: all(field.isVisible() for field in fields))
+    for field in fields:
+        qtbot.waitUntil(lambda f=field: f.number.width() >= f.number.minimumSizeHint().width())
+        assert field.number.label.width() >= field.number.label.sizeHint().width()
+        assert field.number.unit.x() >= field.number.field.geometry().right()

@@ -8,9 +8,12 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
+from workbench.display.flicker import Zones
+from workbench.widgets.look.elided_label import ElidedLabel
 from workbench.widgets.look.tokens import DARK, LIGHT, theme
 from workbench.widgets.plots.depth_plot import DepthPlot
 from workbench.widgets.plots.distance_plot import MOST_DRAWN, MOST_SYMBOLS, DistancePlot
+from workbench.widgets.plots.flicker_map import FlickerMap
 from workbench.widgets.plots.plot import Plot
 from workbench.widgets.plots.trace_plot import TracePlot
 
@@ -155,3 +158,28 @@ def test_every_plot_follows_the_theme(qtbot: QtBot, depths: DepthPlot) -> None:
             assert depths._cursor_line.pen.color().name() == now.text.lower()
     finally:
         theme.use(LIGHT)
+
+
+@pytest.mark.parametrize(("height", "titled"), [(110, False), (320, True)])
+def test_a_low_plot_does_without_the_titles_of_its_axes(qtbot: QtBot, height: int, titled: bool) -> None:
+    plot = FlickerMap()
+    plot.show_map(Zones((1e-6, 1e-3, 1.0), (60.0, 58.0, 20.0), 0.01), 50.0, 1e-3, "flickers")
+    seen(qtbot, plot)
+    plot.resize(300, height)
+    qtbot.waitUntil(lambda: plot._plot.getAxis("bottom").label.isVisible() == titled)
+    assert plot._plot.getAxis("left").label.isVisible() == titled
+    ticks = plot._plot.getAxis("left")._tickLevels[0]
+    line = plot.fontMetrics().height()
+    assert 1 <= len(ticks) <= max((plot._plot.height() - plot._plot.getAxis("bottom").height()) / line + 2, 1)
+    assert (len(ticks) == 7) == titled
+
+
+def test_a_narrow_trace_ends_its_words_with_dots(qtbot: QtBot) -> None:
+    plot = TracePlot("Light at the probe", "of its mean", 2)
+    seen(qtbot, plot)
+    plot.show_curve([0.0, 1.0], [0.5, 0.5], (0.0, 1.0), "(32, 24), 1 picture, 16.7 ms", 0.5)
+    plot.resize(120, 100)
+    QApplication.processEvents()
+    cut = [label for label in plot.findChildren(ElidedLabel) if label.wide > label.width()]
+    assert [label.text() for label in cut] == ["Light at the probe", "(32, 24), 1 picture, 16.7 ms"]
+    assert all(label.text() in label.toolTip() for label in cut)

@@ -26,7 +26,6 @@ from workbench.algorithms.scanning.electron_optics import (
     LENS_MM,
     LENS_RADIUS,
     PLATES_MM,
-    SPOT,
     beam_current,
     bent_by_coils,
     bent_by_plates,
@@ -36,6 +35,7 @@ from workbench.algorithms.scanning.electron_optics import (
     light_left,
     off_the_face,
     refuse_tube,
+    sharp_spot,
     thrown,
 )
 
@@ -61,8 +61,7 @@ def electron_beam(
     # Heat the cathode
     refuse_tube(v_focus, v_anode, tube)
     v_cut, peak, gamma = float(tube[0]), float(tube[1]), float(tube[2])
-    length, gap = float(tube[3]), float(tube[4])
-    reach_x, reach_y = float(tube[5]), float(tube[6])
+    length, gap, reach_x, reach_y = float(tube[3]), float(tube[4]), float(tube[5]), float(tube[6])
     screen = PLATES_MM + length / 2.0 + reach_y
     yield 0.0, 0.0, 0.0, 2.0
 
@@ -70,17 +69,18 @@ def electron_beam(
     current = beam_current(v_grid, v_cut, peak, gamma)
     if current <= 0.0:
         return
-    yield GRID_MM, 0.0, 0.0, SPOT
+    least = sharp_spot(current)
+    yield GRID_MM, 0.0, 0.0, least
 
     # Focus the beam
     throw = screen - LENS_MM
     crossing = throw * v_focus / (FOCUS_SHARE * v_anode)
-    spot = half_width(screen, crossing)
+    spot = half_width(screen, crossing, least)
     yield LENS_MM, 0.0, 0.0, LENS_RADIUS
 
     # Accelerate it
     speed = math.sqrt(2.0 * CHARGE_TO_MASS * v_anode) / 1000.0
-    yield ANODE_MM, 0.0, 0.0, half_width(ANODE_MM, crossing)
+    yield ANODE_MM, 0.0, 0.0, half_width(ANODE_MM, crossing, least)
 
     # Deflect it
     drive_x, drive_y = float(drive[0]), float(drive[1])
@@ -89,13 +89,13 @@ def electron_beam(
         sine = coil_sine(drive_x, drive_y, v_anode, length)
         x, y = thrown(sine, drive_x, drive_y, reach_y)
         stopped = sine >= 1.0
-        yield from bent_by_coils(sine, drive_x, drive_y, length, crossing)
+        yield from bent_by_coils(sine, drive_x, drive_y, length, crossing, least)
     else:
         limit = 2.0 * gap * gap * v_anode / (length * length)
         x = length * reach_x * drive_x / (2.0 * gap * v_anode)
         y = length * reach_y * drive_y / (2.0 * gap * v_anode)
         stopped = max(abs(drive_x), abs(drive_y)) > limit
-        yield from bent_by_plates(drive_x, drive_y, v_anode, length, gap, reach_y - reach_x, crossing)
+        yield from bent_by_plates(drive_x, drive_y, v_anode, length, gap, reach_y - reach_x, crossing, least)
     if stopped:
         return
 
@@ -157,6 +157,10 @@ ENTRY = Entry(
             "scanning/test_electron_beam.py::test_the_grid_passes_nothing_from_its_cut_off_and_all_at_zero",
         ),
         Law(
+            "The spot's area in focus grows in step with the current, so more current is never dimmer.",
+            "scanning/test_electron_beam.py::test_the_spot_swells_with_the_current",
+        ),
+        Law(
             "Focus changes the width of the spot, which is least at one voltage, and nothing else.",
             "scanning/test_electron_beam.py::test_focus_changes_the_width_of_the_spot_and_nothing_else",
         ),
@@ -186,6 +190,8 @@ ENTRY = Entry(
         "0.2 % in what the plates bend; at 25 kV 3.6 % and 2.4 %, still less than a drawing shows.",
         "The lens is a model for teaching: a real one is two gaps whose field bends the rays, and its focal "
         "length is no straight line over V_f.",
+        "So is the swelling of the spot: in a real tube the electrons push each other apart, and a large "
+        "current lowers the voltages; how far depends on the gun.",
     ),
     questions=(6,),
     labs=("Electron gun and deflection",),

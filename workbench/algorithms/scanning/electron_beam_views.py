@@ -53,7 +53,7 @@ VIEWS = (
         block=FOCUS,
         row=_FOCUSED,
         sentence="V_f = {v_focus} V bends the rays so that they come together {crossing} mm behind the lens, "
-        "at the screen: the spot is as small as it can be, {spot} mm.",
+        "at the screen: the spot is as small as this current lets it be, {spot} mm.",
     ),
     View(
         block=ANODE,

@@ -21,8 +21,11 @@ GRID_MM, LENS_MM, ANODE_MM, PLATES_MM = 8.0, 32.0, 58.0, 66.0
 """Where grid, middle of the focusing anode and accelerating anode are, and where the first plates begin."""
 
 FOCUS_SHARE = 0.21
-LENS_RADIUS, SPOT = 3.0, 0.6
+LENS_RADIUS = 3.0
 """A thin lens, for teaching: it brings the beam together at the screen when V_f is this share of V_a."""
+
+SPOT, SWELL_UA = 0.4, 36.0
+"""Half the width of a sharp spot of hardly any current, and the current that doubles its area."""
 
 FACE_MM = 140.0, 120.0
 PIECES = 12
@@ -42,10 +45,15 @@ def exact_speed(v_anode: float) -> float:
     return LIGHT_KM_S * math.sqrt(1.0 - 1.0 / (growth * growth))
 
 
-def half_width(z: float, crossing: float) -> float:
-    """Of the beam at z; its rays run together ``crossing`` mm behind the lens, to no less than the spot."""
+def sharp_spot(current: float) -> float:
+    """Half the width of the spot in focus: its area grows in step with the current, a model for teaching."""
+    return SPOT * math.sqrt(1.0 + current / SWELL_UA)
+
+
+def half_width(z: float, crossing: float, least: float) -> float:
+    """Of the beam at z; its rays run together ``crossing`` mm behind the lens, to no less than ``least``."""
     ray = LENS_RADIUS * (1.0 - (z - LENS_MM) / crossing)
-    return math.sqrt(SPOT * SPOT + ray * ray)
+    return math.sqrt(least * least + ray * ray)
 
 
 def light_left(terms: Array, time: float) -> float:
@@ -86,11 +94,18 @@ def thrown(sine: float, field_x: float, field_y: float, reach: float) -> tuple[f
 
 
 def bent_by_plates(
-    v_x: float, v_y: float, v_anode: float, length: float, gap: float, between: float, crossing: float
+    v_x: float,
+    v_y: float,
+    v_anode: float,
+    length: float,
+    gap: float,
+    between: float,
+    crossing: float,
+    least: float,
 ) -> Iterator[tuple[float, float, float, float]]:
     """The way through both pairs of plates, the second ``between`` mm behind the first, or to a plate."""
     z, x, y, slope = PLATES_MM, 0.0, 0.0, 0.0
-    yield z, x, y, half_width(z, crossing)
+    yield z, x, y, half_width(z, crossing, least)
     for pair in range(2):
         volts = v_y if pair == 0 else v_x
         reached = length
@@ -107,18 +122,18 @@ def bent_by_plates(
             else:
                 x = bend
                 y = rise + slope * s
-            yield z, x, y, half_width(z, crossing)
+            yield z, x, y, half_width(z, crossing, least)
         if reached < length:
             return
         if pair == 0:
             slope = volts * length / (2.0 * gap * v_anode)
             z = PLATES_MM + between
             y += slope * (between - length)
-            yield z, x, y, half_width(z, crossing)
+            yield z, x, y, half_width(z, crossing, least)
 
 
 def bent_by_coils(
-    sine: float, field_x: float, field_y: float, length: float, crossing: float
+    sine: float, field_x: float, field_y: float, length: float, crossing: float, least: float
 ) -> Iterator[tuple[float, float, float, float]]:
     """The arc through the coils, which turn the beam by this sine; nothing of a beam that never leaves."""
     if sine >= 1.0:
@@ -133,7 +148,7 @@ def bent_by_coils(
             bend = length / sine * (1.0 - math.sqrt(1.0 - turned * turned))
             x = bend * field_x / field
             y = bend * field_y / field
-        yield z, x, y, half_width(z, crossing)
+        yield z, x, y, half_width(z, crossing, least)
 
 
 def off_the_face(x: float, y: float) -> bool:

@@ -185,7 +185,9 @@ class SolidView(QWidget):
                 painter.drawLine(a, b)
                 continue
             beyond = b + (b - a) * (10.0 / max((b - a).manhattanLength(), 10.0))
-            box = QRectF(beyond.x() - 7, beyond.y() - 8, 14, 16)
+            x = min(max(beyond.x(), 7.0), self.width() - 7.0)
+            y = min(max(beyond.y(), 8.0), self.height() - 8.0)
+            box = QRectF(x - 7, y - 8, 14, 16)
             painter.fillRect(box, colour(tokens().surface))
             painter.drawText(box, Qt.AlignmentFlag.AlignCenter, letter)
 

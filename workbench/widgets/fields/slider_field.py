@@ -10,6 +10,7 @@ from workbench.widgets.fields.number_field import NumberField, complaint_label
 _STEPS = 1000
 _LABEL_PX, _FIELD_PX, _UNIT_PX = 30, 68, 16
 _LEAST_SLIDER_PX = 40
+_TIGHT_FIELD_PX, _TIGHT_SLIDER_PX = 56, 24
 
 
 class SliderField(QWidget):
@@ -69,6 +70,12 @@ class SliderField(QWidget):
         self.number.edited.connect(self._typed)
         self.number.scrubbed.connect(self._scrubbed)
         self.number.scrub_ended.connect(self.ended)
+
+    def be_tight(self, on: bool) -> None:
+        """Have room for fewer digits, where several stand beside one another."""
+        self.number.field.setFixedWidth(_TIGHT_FIELD_PX if on else _FIELD_PX)
+        self.number.unit.setMinimumWidth(0 if on else _UNIT_PX)
+        self.slider.setMinimumWidth(_TIGHT_SLIDER_PX if on else _LEAST_SLIDER_PX)
 
     def value(self) -> float:
         """The last good value."""

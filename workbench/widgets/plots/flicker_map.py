@@ -6,7 +6,15 @@ from typing import Any
 
 import numpy as np
 from PySide6.QtCore import QEvent, QObject, QPointF, QSize, Qt, Signal
-from PySide6.QtGui import QAccessible, QAccessibleEvent, QColor, QKeyEvent, QMouseEvent, QPolygonF
+from PySide6.QtGui import (
+    QAccessible,
+    QAccessibleEvent,
+    QColor,
+    QFontMetrics,
+    QKeyEvent,
+    QMouseEvent,
+    QPolygonF,
+)
 from PySide6.QtWidgets import QGraphicsPolygonItem, QSizePolicy, QWidget
 
 from workbench.display.flicker import Zones
@@ -129,14 +137,35 @@ class FlickerMap(Plot):
         self._say_zones(low, smear, high, float(np.interp(0.5 * (low + smear), ys, xs)))
         self._plot.setRange(xRange=(_LEAST_HZ, _MOST_HZ), yRange=(low, high), padding=0)
         powers = range(math.ceil(low), math.floor(high) + 1)
-        self._plot.getAxis("left").setTicks([[(p, span_text(10.0**p)) for p in powers]])
+        every = math.ceil(len(powers) * self._line_px / max(self._room_px, self._line_px))
+        self._plot.getAxis("left").setTicks([[(p, span_text(10.0**p)) for p in powers[::every]]])
+
+    @property
+    def _line_px(self) -> int:
+        return QFontMetrics(self._font()).height()
+
+    @property
+    def _room_px(self) -> float:
+        """How high the map is without what stands below it."""
+        return float(self._plot.height() - self._plot.getAxis("bottom").height())
+
+    def _fit(self) -> None:
+        """A lower map names fewer times and zones."""
+        super()._fit()
+        self._draw()
 
     def _say_zones(self, low: float, smear: float, high: float, fusion: float) -> None:
-        below = 0.5 * (low + smear)
+        line = self._line_px * (high - low) / max(self._room_px, 1.0)
+        below, wide = 0.5 * (low + smear), smear - low > line
         places: Sequence[tuple[str, float, float, bool]] = (
-            (_("flickers"), 0.5 * (_LEAST_HZ + fusion), below, fusion > _LEAST_HZ + 10),
-            (_("steady"), 0.5 * (_MOST_HZ + fusion), below, fusion < _MOST_HZ - 10 and smear > low),
-            (_("smears"), 0.5 * (_LEAST_HZ + _MOST_HZ) + 12, 0.5 * (smear + high), smear < high),
+            (
+                _("flickers"),
+                0.5 * (_LEAST_HZ + fusion),
+                below,
+                fusion > _LEAST_HZ + 10 and wide,
+            ),
+            (_("steady"), 0.5 * (_MOST_HZ + fusion), below, fusion < _MOST_HZ - 10 and wide),
+            (_("smears"), 0.5 * (_LEAST_HZ + _MOST_HZ) + 12, 0.5 * (smear + high), high - smear > line),
         )
         for item, (word, x, y, there) in zip(self._words, places, strict=True):
             item.setText(word)

@@ -9,6 +9,7 @@ from PySide6.QtGui import (
     QContextMenuEvent,
     QFocusEvent,
     QFont,
+    QFontMetrics,
     QGuiApplication,
     QKeyEvent,
     QPainter,
@@ -28,6 +29,7 @@ from workbench.widgets.tables.table_copies import put_on_clipboard
 _ZOOM = 0.8
 _AXIS_PX = 48
 _GRID = 0.45
+_TITLES_PX = 44  # what the axis below takes with its title
 _STEPS_TEN = 10
 _KEPT = QGraphicsItem.CacheMode.DeviceCoordinateCache
 
@@ -142,6 +144,7 @@ class Plot(QWidget):
         self._lay(self._cursor_line)
         self._column.insertWidget(self._column.indexOf(self.caption) + 1, self._plot, 1)
         self._take_theme()
+        self._plot.getPlotItem().vb.sigResized.connect(self._fit)
 
     def _lay(self, *items: Any, kept: bool = False) -> None:
         """Lay items on the plot, whatever its range; ``kept`` ones are painted once, not with each cursor."""
@@ -171,6 +174,14 @@ class Plot(QWidget):
     def _label_axes(self, left: str, bottom: str) -> None:
         for side, text in (("left", left), ("bottom", bottom)):
             self._plot.setLabel(side, text, **{"color": tokens().muted, "font-size": f"{CAPTION_PX}px"})
+        self._fit()
+
+    def _fit(self) -> None:
+        """A low plot does without the titles of its axes, so that the curve is seen."""
+        room, metrics = self._plot.height() - _TITLES_PX, QFontMetrics(self._font())
+        left, bottom = (self._plot.getAxis(side) for side in ("left", "bottom"))
+        left.showLabel(0 < metrics.horizontalAdvance(left.labelText) <= room)
+        bottom.showLabel(bool(bottom.labelText) and room >= _TITLES_PX)
 
     # The hand
 

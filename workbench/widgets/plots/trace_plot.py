@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QWidget
 
 from workbench.exchange.tables import Table
 from workbench.language import _
+from workbench.widgets.look.elided_label import ElidedLabel
 from workbench.widgets.look.tokens import RADIUS, colour, tokens
 from workbench.widgets.plots.plot import Plot
 
@@ -45,18 +46,16 @@ class TracePlot(Plot):
         self._value = QLabel()
         self._value.setProperty("role", "caption")
         self._value.setFont(self._font())
-        title_label = QLabel(title)
-        title_label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        title_label = ElidedLabel(title)
         title_label.setFont(self._font())
         row = QHBoxLayout()
         row.addWidget(title_label, 1)
         row.addWidget(self._value)
         self._column.insertLayout(0, row)
-        self._time = QLabel()
+        self._time = ElidedLabel()
         self._time.setProperty("role", "caption")
         self._time.setFont(self._font())
         self._time.setAlignment(Qt.AlignmentFlag.AlignRight)
-        self._time.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self._column.addWidget(self._time)
         self._column.setSpacing(0)
         self.caption.setAlignment(Qt.AlignmentFlag.AlignCenter)

@@ -345,7 +345,8 @@ class ColourView(QWidget):
         painter.setFont(font)
         text = said.format(n=count, mm=pitch)
         wide = max(length, painter.fontMetrics().horizontalAdvance(text)) + 16
-        card = QRectF(self._glass.left() + 8, self._glass.bottom() - 40, wide, 32)
+        margin = min(8.0, max(self._glass.width() - wide, 0.0) / 2)
+        card = QRectF(self._glass.left() + margin, self._glass.bottom() - 40, wide, 32)
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(_BEHIND)
         painter.drawRoundedRect(card, RADIUS, RADIUS)

@@ -166,6 +166,8 @@ class DeflectionCard(GunCard):
         """Flat, the input is chosen beside its sliders."""
         super().lie_down(flat)
         self._flat = flat
+        for name in ("peak", "peak_field", "rate", "phase"):
+            self.fields[name].be_tight(flat)
         if flat:
             self.rows.insertWidget(0, self.wave)
         else:

@@ -47,7 +47,7 @@ def part_texts() -> dict[Part, PartText]:
             _(
                 "A cup around the cathode with a hole for the beam. It is negative and pushes electrons "
                 "back: the more negative, the fewer get through. So it sets the current, and with it the "
-                "brightness. At the cut-off the screen is dark."
+                "brightness; the spot swells with it. At the cut-off the screen is dark."
             ),
             ("grid", "cut_off", "current", "gamma"),
         ),

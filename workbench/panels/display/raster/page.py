@@ -143,7 +143,7 @@ class RasterPage(PlainPage, QWidget):
             self.diagram.be_low(small)
             self.shows_system.setChecked(not small)
             self._show_parts()
-        self.bar.be_compact(event.size().width() < _NARROW_PX)
+        self.bar.be_compact(small or event.size().width() < _NARROW_PX)
         self.strip.fit(event.size().width() - 2 * _SIDE_PX, event.size().height())
 
     # What Display asks of a page
