@@ -63,8 +63,7 @@ def stepped_in(window: MainWindow, slug: str, qtbot: QtBot) -> InspectorPanel:
     return parts
 
 
-# In View the card of window and viewport needs the upper half, so that Read is there for the source.
-@pytest.mark.parametrize("slug", [slug for slug in STEPPED if slug != "view"])
+@pytest.mark.parametrize("slug", STEPPED)
 def test_the_source_has_twenty_lines_and_never_scrolls_sideways(
     slug: str, qtbot: QtBot, window: MainWindow
 ) -> None:
