@@ -56,6 +56,18 @@ def ungroup(window: "MainWindow") -> None:
         window.say_status(_("There is nothing here to ungroup; select a group first."))
 
 
+def bring_forwards(window: "MainWindow") -> None:
+    """Move the selected figures past what is next in front of them."""
+    if not _let(window, "bring_forwards"):
+        window.say_status(_("There is nothing here to bring forwards; select a figure first."))
+
+
+def send_backwards(window: "MainWindow") -> None:
+    """Move the selected figures past what is next behind them."""
+    if not _let(window, "send_backwards"):
+        window.say_status(_("There is nothing here to send backwards; select a figure first."))
+
+
 def select_all(window: "MainWindow") -> None:
     """Select all words of a field, or all figures or points."""
     if not _let(window, "select_all"):

@@ -13,6 +13,7 @@ SOURCE, HAND_TABLE, VARIABLES = "source", "hand_table", "variables"
 _BESIDE = (SOURCE, "about")
 _NARROW_PX = 1100
 _SHARES = (0.62, 0.38)
+_STACKED_SHARES = (0.68, 0.32)
 _TABLE_SHARES = (500, 500)
 
 
@@ -69,7 +70,8 @@ class Reading(QSplitter):
         if tabs.indexOf(variables) < 0:
             tabs.addTab(variables, title)
         self._lower.setVisible(not self._narrow)
-        self._half.setSizes([round(room * share) for share in _SHARES])
+        shares = _STACKED_SHARES if self._narrow else _SHARES
+        self._half.setSizes([round(room * share) for share in shares])
         self._tables.setSizes(_TABLE_SHARES)
         self.setSizes([room // 2, room // 2])
 

@@ -147,7 +147,9 @@ def test_a_group_is_copied_pasted_ordered_and_removed_as_one(qtbot, session, pan
 
 def test_what_cannot_be_done_to_the_selection_is_left_to_the_window_to_say(session, panel, square):
     before, line = session.document, square[2]
-    for chosen, undoable in (((), ("duplicate", "group", "ungroup")), ((line,), ("group", "ungroup"))):
+    grouping = panel.group_selected, panel.ungroup_selected
+    others = panel.duplicate_selected, panel.bring_forwards, panel.send_backwards
+    for chosen, undoable in (((), (*grouping, *others)), ((line,), grouping)):
         session.update_state(selection=chosen)
-        assert [getattr(panel, f"{act}_selected")() for act in undoable] == [False] * len(undoable)
+        assert [act() for act in undoable] == [False] * len(undoable)
     assert session.document is before

@@ -239,3 +239,24 @@ def test_text_that_is_only_read_leaves_copy_and_paste_to_the_picture(window: Mai
     copied = QGuiApplication.clipboard().text()
     source.fold(False)
     assert copied == source.toPlainText()
+
+
+@pytest.mark.parametrize("place", ["draw", "transform", "animate"])
+def test_the_menu_edit_changes_what_is_painted_over_what(window: MainWindow, place: str) -> None:
+    window.open_example("house")
+    window.go(place)
+    settle()
+    session, actions = window.session, window.menus.actions
+    ids = [figure.id for figure in session.sheet.figures]
+    window.panels(place)[0].center.setFocus()
+    session.update_state(selection=(), active="")
+    actions["bring_forwards"].trigger()
+    assert "nothing here to bring forwards" in window.status.hover.text()
+    session.update_state(selection=(ids[0],), active=ids[0])
+    actions["bring_forwards"].trigger()
+    swapped = [ids[1], ids[0], *ids[2:]]
+    assert [figure.id for figure in session.sheet.figures] == swapped
+    actions["send_backwards"].trigger()
+    assert [figure.id for figure in session.sheet.figures] == ids
+    session.undo_stack.undo()
+    assert [figure.id for figure in session.sheet.figures] == swapped

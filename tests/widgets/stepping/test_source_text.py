@@ -9,6 +9,7 @@ from pytestqt.qtbot import QtBot
 
 from workbench.algorithms import catalogue
 from workbench.algorithms.entry import Entry
+from workbench.widgets.look.tokens import tokens
 from workbench.widgets.stepping.source_text import SourceText, docstring_rows
 
 ENTRIES = catalogue.entries()[::3]
@@ -105,3 +106,19 @@ def test_the_marked_lines_are_scrolled_into_view(slug: str, qtbot: QtBot) -> Non
             area = text.area_of(block)
             assert area.top() >= -1
             assert area.bottom() <= text.viewport().height() + 1 or area.height() > text.viewport().height()
+
+
+def test_a_marked_line_is_marked_where_it_hangs_too(qtbot: QtBot) -> None:
+    text = SourceText()
+    qtbot.addWidget(text)
+    text.resize(240, 200)
+    text.show()
+    text.show_source("one\n" + "a_long_name = " + " + ".join(["another"] * 8) + "\ntwo", 1)
+    text.mark(frozenset({2}), None)
+    area = text.area_of(text.document().findBlockByNumber(1)).toRect()
+    row = text.fontMetrics().lineSpacing()
+    assert area.height() >= 2 * row
+    picture = text.viewport().grab().toImage()
+    colours = {picture.pixelColor(2, y).name() for y in range(area.top() + row + 1, area.bottom())}
+    assert colours == {tokens().selected.lower()}
+    assert picture.pixelColor(2, area.bottom() + row // 2).name() != tokens().selected.lower()

@@ -63,8 +63,8 @@ class FigureActions(QObject):
             ("select_all", _("Select all"), "selection-all", "Ctrl+A", panel.select_all),
             ("group", _("Group"), "link-simple", "Ctrl+G", panel.group_selected),
             ("ungroup", _("Ungroup"), "link-break", "Ctrl+Shift+G", panel.ungroup_selected),
-            ("forwards", _("Bring forwards"), "arrow-line-up", "Ctrl+]", lambda: panel.shift_order(1)),
-            ("backwards", _("Send backwards"), "arrow-line-down", "Ctrl+[", lambda: panel.shift_order(-1)),
+            ("forwards", _("Bring forwards"), "arrow-line-up", "Ctrl+]", panel.bring_forwards),
+            ("backwards", _("Send backwards"), "arrow-line-down", "Ctrl+[", panel.send_backwards),
         ]
 
     def _add(self, row: PanelCommand) -> QAction:

@@ -44,9 +44,20 @@ class ChosenFigures(PlainPanel):
                 self.session.update_state(selection=tuple(made), active=made[-1])
         return bool(ids)
 
-    def shift_order(self, by: int) -> None:
-        """Move the selected figures past what is next in front of them (or behind)."""
-        self.apply(shift_order([figure.id for figure in self.selected()], by), _("Change order"))
+    def shift_order(self, by: int) -> bool:
+        """Move the selected figures past what is next in front of them (or behind); False where none are
+        selected."""
+        if ids := [figure.id for figure in self.selected()]:
+            self.apply(shift_order(ids, by), _("Change order"))
+        return bool(ids)
+
+    def bring_forwards(self) -> bool:
+        """Move the selected figures one place to the front; False where none are selected."""
+        return self.shift_order(1)
+
+    def send_backwards(self) -> bool:
+        """Move the selected figures one place to the back; False where none are selected."""
+        return self.shift_order(-1)
 
     def group_selected(self) -> bool:
         """Let the selected figures stay together from now on, and say so, which the picture does not; False

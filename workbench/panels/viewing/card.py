@@ -52,8 +52,6 @@ from workbench.widgets.look.icons import set_icon
 from workbench.widgets.look.tokens import tokens
 
 NARROW_PX = 380
-LEAST_PX = 214
-"""Both rectangles, how they are fitted, and what that does to shapes, are seen together."""
 
 
 def view_name(sheet: Sheet, view: View) -> str:

@@ -27,7 +27,7 @@ from workbench.panels.stage.empty import EmptyState
 from workbench.panels.stage.export import Exporter
 from workbench.panels.stage.labels import clear_of
 from workbench.panels.viewing.actions import view_actions
-from workbench.panels.viewing.card import LEAST_PX, ViewCard, factors_of
+from workbench.panels.viewing.card import ViewCard, factors_of
 from workbench.panels.viewing.derivation import derivation
 from workbench.panels.viewing.gestures import ViewGesture, tools
 from workbench.panels.viewing.matrices import Matrices
@@ -384,7 +384,6 @@ class ViewingPanel(PlainPanel, QWidget):
         super().resizeEvent(event)
         low = event.size().height() < LOW_PX
         self.strip.set_low(low)
-        self.card.setMinimumHeight(0 if low else LEAST_PX)
         self.matrices.symbols.setVisible(not low and event.size().width() >= NARROW_PX)
         self.refresh_soon()
 

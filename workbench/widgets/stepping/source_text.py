@@ -3,7 +3,6 @@
 import ast
 import textwrap
 from collections.abc import Sequence
-from typing import Any
 
 from PySide6.QtCore import QMimeData, QPoint, QRect, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
@@ -16,7 +15,6 @@ from PySide6.QtGui import (
     QTextBlock,
     QTextBlockFormat,
     QTextCursor,
-    QTextFormat,
     QTextOption,
 )
 from PySide6.QtWidgets import QTextEdit, QWidget
@@ -68,7 +66,7 @@ class SourceText(QTextEdit):
         self._gutter = _Gutter(self)
         self.verticalScrollBar().valueChanged.connect(self._gutter.update)
         self.document().documentLayout().documentSizeChanged.connect(self._gutter.update)
-        theme.changed.connect(self._mark)
+        theme.changed.connect(self._repaint)
         self.setViewportMargins(self._gutter.sizeHint().width(), 0, 0, 0)
 
     # What is shown
@@ -91,7 +89,7 @@ class SourceText(QTextEdit):
         self._most_hang = 0
         self._hang()
         self.setViewportMargins(self._gutter.sizeHint().width(), 0, 0, 0)
-        self._mark()
+        self._repaint()
 
     @property
     def last_line(self) -> int:
@@ -137,29 +135,15 @@ class SourceText(QTextEdit):
         """Mark the lines that ran, and the one that runs next; numbers are those of the file."""
         if lines != self.marked or current != self.current:
             self.marked, self.current = lines, current
-            self._mark()
+            self._repaint()
             self._make_visible()
 
     def _block_of(self, line: int) -> QTextBlock:
         row = line - self.first_line
         return self.document().findBlockByNumber(self._rows.index(row)) if row in self._rows else QTextBlock()
 
-    def _mark(self) -> None:
-        ink = colour(tokens().selected)
-        selections = []
-        for line in sorted(self.marked):
-            block = self._block_of(line)
-            if not block.isValid():
-                continue
-            selection: Any = QTextEdit.ExtraSelection()
-            selection.format.setBackground(ink)
-            selection.format.setProperty(QTextFormat.Property.FullWidthSelection, True)
-            selection.cursor = QTextCursor(block)
-            selection.cursor.movePosition(
-                QTextCursor.MoveOperation.NextBlock, QTextCursor.MoveMode.KeepAnchor
-            )
-            selections.append(selection)
-        self.setExtraSelections(selections)
+    def _repaint(self) -> None:
+        self.viewport().update()
         self._gutter.update()
 
     def area_of(self, block: QTextBlock) -> QRectF:
@@ -246,7 +230,12 @@ class SourceText(QTextEdit):
         self._make_visible()
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Say how much of the docstring is folded."""
+        """Mark lines over the whole width, which a selection does not where they hang; say what is folded."""
+        painter = QPainter(self.viewport())
+        for line, top, height in self.visible_lines():
+            if line in self.marked:
+                painter.fillRect(0, top, self.viewport().width(), height, colour(tokens().selected))
+        painter.end()
         super().paintEvent(event)
         folded = self.folded_block
         if not folded.isValid():
