@@ -9,7 +9,14 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QAbstractButton, QComboBox, QDial, QMenu, QPushButton, QSlider
 from pytestqt.qtbot import QtBot
 
-from workbench.algorithms.scanning.electron_beam_views import BLOCKS
+from workbench.algorithms.scanning.electron_beam_views import (
+    ANODE,
+    CATHODE,
+    DEFLECTION,
+    FOCUS,
+    GRID,
+    SCREEN,
+)
 from workbench.display.cutaway import STEPS, parts_of
 from workbench.display.gun import OFF, SINE
 from workbench.document.errors import DocumentError
@@ -45,7 +52,7 @@ def test_the_run_goes_through_the_parts_from_the_cathode_to_the_screen(
         told.append(session.run.steps[step].title)
         assert page.part.part in STEPS[step - 1]
         assert page.drawing_view._lit == STEPS[step - 1]
-    assert tuple(told) == BLOCKS
+    assert tuple(told) == (CATHODE, GRID, FOCUS, ANODE, DEFLECTION, SCREEN)
 
 
 def test_a_voltage_is_typed_slid_and_scrubbed(qtbot: QtBot, page: GunPage) -> None:

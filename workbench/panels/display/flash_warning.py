@@ -1,6 +1,5 @@
 """What is said before a tube really flashes."""
 
-from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QWidget
 
 from workbench.language import _
@@ -8,9 +7,7 @@ from workbench.widgets.look.comfort import comfort
 
 
 class FlashWarning(QFrame):
-    """A strip with a warning and two answers; hidden until ``ask``. ``answered`` comes with either."""
-
-    answered = Signal()
+    """A strip with a warning and two answers; hidden until ``ask``."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -45,4 +42,3 @@ class FlashWarning(QFrame):
     def _answer(self, calm: bool) -> None:
         self.hide()
         comfort.set_calm(calm)
-        self.answered.emit()

@@ -172,7 +172,7 @@ class GunView(QWidget):
             part = shape.part
             if part and is_at(shape, z, y, near):
                 return part
-        outline = beam_outline(self._gun, self._way)
+        outline = beam_outline(self._way)
         if len(outline) and self._polygon(outline).containsPoint(at, Qt.FillRule.OddEvenFill):
             return "beam"
         return None
@@ -282,7 +282,7 @@ class GunView(QWidget):
         return shown if tokens().dark else shown.darker(150)
 
     def _paint_beam(self, painter: QPainter) -> None:
-        outline = beam_outline(self._gun, self._way)
+        outline = beam_outline(self._way)
         if not len(outline):
             return
         share = min(self._gun.beam_current / max(self._gun.current, 1e-9), 1.0)
