@@ -7,11 +7,12 @@ from PySide6.QtWidgets import QAbstractButton, QComboBox
 from pytestqt.qtbot import QtBot
 
 from tests.panels.display.conftest import put_on_screen
-from workbench.display.flicker import in_closed_form
+from workbench.display.flicker import in_closed_form, zones
 from workbench.display.phosphor import Phosphor, names
 from workbench.document import DocumentError
 from workbench.document.subjects import Subject
 from workbench.panels.display.flicker.figures import column_at, moved_picture
+from workbench.panels.display.flicker.measures import verdict
 from workbench.panels.display.flicker.page import FlickerPage
 from workbench.session.session import Session
 from workbench.widgets.look.comfort import comfort
@@ -213,3 +214,16 @@ def test_every_control_has_a_name_and_a_tooltip(page: FlickerPage) -> None:
 def test_a_steady_tube_rests(qtbot: QtBot, page: FlickerPage) -> None:
     qtbot.waitUntil(lambda: not page.tube.running, timeout=5000)
     assert not page._moving.isActive()
+
+
+@pytest.mark.parametrize("name", ["P1", "P31", "P39"])
+def test_map_and_verdict_give_one_fusion_frequency_at_any_rate(name: str) -> None:
+    """The rate that is asked for does not change with the rate that one has."""
+    phosphor = Phosphor.named(name)
+    zone = zones(phosphor, 100.0)
+    (of_map,) = [hz for t10_s, hz in zip(*zone[:2], strict=True) if t10_s == pytest.approx(phosphor.t10_s)]
+    for rate in (20.0, 60.0, 120.0):
+        said = verdict(phosphor, rate, 100.0)
+        assert f"fuses from {of_map:.1f} Hz" in said
+        assert ("flickers" in said) == (rate < of_map)
+        assert f"from {of_map:.0f} Hz" in FlickerPage._where(phosphor, rate, 100.0)
