@@ -127,6 +127,22 @@ def test_the_spot_is_dragged_on_the_screen_and_moved_by_keys(qtbot: QtBot, page:
     assert page.setting.gun.way()[-1][1:3] == pytest.approx((x + 1.0, y + 10.0), abs=0.1)
 
 
+@pytest.mark.parametrize("of", ["tube", "drawing_view"])
+def test_the_run_waits_for_a_drag(qtbot: QtBot, page: GunPage, session: Session, of: str) -> None:
+    view, left, before = getattr(page, of), Qt.MouseButton.LeftButton, session.run.calls
+    spot = page.drawing_view.spot_px if of == "drawing_view" else page.tube._at(-40.0, 30.0)
+    assert spot is not None
+    at = spot.toPoint()
+    qtbot.mousePress(view, left, pos=at)
+    qtbot.mouseMove(view, at + QPoint(0, 12))
+    settle(page)
+    assert page.setting.gun.way()[-1][2] != pytest.approx(12.0, abs=0.5)
+    assert session.run.calls is before
+    qtbot.mouseRelease(view, left, pos=at + QPoint(0, 12))
+    settle(page)
+    assert session.run.calls is not before
+
+
 def test_keys_go_from_part_to_part_and_each_says_what_it_is_for(qtbot: QtBot, page: GunPage) -> None:
     view = page.drawing_view
     for part in parts_of(page.setting.gun):
