@@ -42,7 +42,7 @@ def test_every_part_is_drawn_and_named_and_lies_in_the_window(gun: Gun) -> None:
 @given(guns)
 def test_the_beam_is_drawn_along_the_way_of_the_text(gun: Gun) -> None:
     way = gun.way()
-    outline = beam_outline(gun, way)
+    outline = beam_outline(way)
     inner = [place for place in way if place[0] > 0.0]
     half = len(outline) // 2
     upper, lower = outline[1:half], outline[half:-1][::-1]

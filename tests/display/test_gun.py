@@ -197,3 +197,11 @@ def test_the_beam_says_where_it_is() -> None:
     assert (state.frame, state.lit) == (3, True)
     assert state.currents[0] == pytest.approx(0.7**2.4)
     assert math.isclose(float(beam.frame_s), 0.02)
+
+
+def test_a_beam_that_stands_gives_its_energy_to_one_place() -> None:
+    """As the sum of its hits, one by one."""
+    _tube, beam = steered_tube(Gun(), (60, 45), np.float64)
+    hits = sum(np.outer(beam._across[:, k], beam._along[:, k]) for k in range(beam.count))
+    assert beam.energy_per_frame() == pytest.approx(beam.power * float(beam._step) * hits)
+    assert beam.energy_per_frame().sum() > 0.0

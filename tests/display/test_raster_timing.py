@@ -126,3 +126,13 @@ def test_each_clock_has_the_numbers_of_the_text(interlaced: bool, depth: int) ->
         assert moment._asdict() == pytest.approx({name: float(value) for name, value in text.items()})
     dark = [clock for clock in range(mode.clocks_per_frame) if scan.at(clock) is None]
     assert len(dark) == mode.clocks_per_frame - 30
+
+
+@pytest.mark.parametrize("name", ["vga-640x480-60", "pal-625i"])
+def test_a_pixel_is_hit_when_its_line_is_scanned(name: str) -> None:
+    """Between the begin and the end of its clock, in the line of its row counted from above."""
+    timing = RasterTiming.named(name)
+    for x, y in ((0, 0), (5, 1), (timing.h_active - 1, timing.v_active - 1)):
+        line, clock = divmod(timing.hit_s(x, y) * timing.pixel_clock_hz, timing.h_total)
+        assert timing.row_of_line(int(line)) == timing.v_active - 1 - y
+        assert clock == x + Fraction(1, 2)

@@ -8,16 +8,23 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from workbench.display import Phosphor, VectorTiming, phosphor_names, vector_displays
+from workbench.display.flicker import critical_frequency_hz, modulation
 from workbench.display.list_time import list_time
-from workbench.display.refresh_limit import LineTime, flickers, longest_steady_s
+from workbench.display.refresh_limit import EYE_CD_M2, LineTime, longest_steady_s
 from workbench.rendering.display_program import equal_lines, program_of
 
 SIZE = (64, 48)
 
 
+def flickers(guns: tuple[Phosphor, ...], period_s: float) -> bool:
+    """Asked at this rate alone: whether the light, as it is modulated then, would have to come more often."""
+    strongest = max(modulation(gun, period_s) for gun in guns)
+    return 1.0 / period_s < critical_frequency_hz(EYE_CD_M2, strongest)
+
+
 @pytest.mark.parametrize("name", phosphor_names())
 def test_the_longest_steady_time_parts_steady_from_flickering(name: str) -> None:
-    guns = [Phosphor.named(name)]
+    guns = (Phosphor.named(name),)
     longest = longest_steady_s(guns)
     assert not math.isnan(longest)
     if math.isinf(longest):
@@ -34,7 +41,7 @@ def test_the_longest_steady_time_parts_steady_from_flickering(name: str) -> None
 @settings(max_examples=8, deadline=None)
 def test_dragged_line_by_line_and_by_formula_it_is_the_same(display, name, length, refresh) -> None:
     """The greatest n whose list, timed instruction by instruction, is steady: found by halving."""
-    guns, timing, units = [Phosphor.named(name)], VectorTiming.named(display), 14.4
+    guns, timing, units = (Phosphor.named(name),), VectorTiming.named(display), 14.4
     shortest = timing.shortest_frame_ps(refresh)
     line = LineTime.of(timing, length * units)
 

@@ -16,7 +16,7 @@ def made() -> StorageTube:
 
 def test_a_stroke_at_writing_speed_is_kept_for_minutes_without_refresh() -> None:
     tube = made()
-    assert tube.write([LINE]).stored > 0
+    assert tube.write([LINE]) > 0
     stored = tube.stored.copy()
     tube.advance(60.0)
     assert (tube.stored == stored).all()
@@ -31,9 +31,8 @@ def test_a_stroke_at_writing_speed_is_kept_for_minutes_without_refresh() -> None
 def test_a_stroke_that_is_too_fast_only_flashes_and_nothing_adds_up() -> None:
     tube = made()
     for _pass in range(20):
-        written = tube.write([LINE], slowness=0.4)
-        assert written.stored == 0
-        assert written.only_lit > 0
+        assert tube.write([LINE], slowness=0.4) == 0
+        assert tube.light().max() > 2 * BACKGROUND
     assert not tube.stored.any()
     assert tube.light().max() > BACKGROUND
     tube.advance(1.0)
@@ -57,13 +56,13 @@ def test_erasing_flashes_takes_its_time_and_leaves_nothing() -> None:
     tube.erase()
     assert tube.light().min() == 1.0
     assert tube.light(flashes=False).max() < 0.1
-    assert tube.write([LINE]).stored == 0, "nothing is written meanwhile"
+    assert tube.write([LINE]) == 0, "nothing is written meanwhile"
     tube.advance(ERASE_S / 2)
     assert tube.erasing
     tube.advance(ERASE_S / 2)
     assert not tube.erasing
     assert not tube.stored.any()
-    assert tube.write([LINE]).stored > 0
+    assert tube.write([LINE]) > 0
 
 
 def test_there_is_no_way_to_erase_a_part() -> None:

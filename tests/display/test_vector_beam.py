@@ -40,7 +40,7 @@ def test_the_printed_times_of_the_ibm_2250() -> None:
 def test_a_frame_is_the_sum_of_its_parts(pairs, name: str) -> None:
     timing = VectorTiming.named(name)
     _, beam = made(pairs, timing)
-    assert sum(beam.times_ps.values()) == beam.frame_ps
+    assert sum(segment.duration_ps for segment in beam.segments) == beam.frame_ps
     assert beam.frame_ps == max(beam.list_ps, timing.min_frame_ps, 1)
     clock = 0
     place = beam.segments[-1].end

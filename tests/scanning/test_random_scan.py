@@ -8,9 +8,9 @@ from hypothesis import strategies as st
 from workbench.algorithms import catalogue
 from workbench.algorithms.scanning.operations import DRAW, JUMP, MOVE
 from workbench.algorithms.scanning.random_scan import random_scan
-from workbench.display import MmStroke, VectorTiming, vector_displays
+from workbench.display import VectorTiming, vector_displays
 from workbench.display.refresh_limit import LineTime
-from workbench.display.stroke_timeline import schedule
+from workbench.display.stroke_timeline import WAIT, StrokeTable, timeline
 from workbench.engine.observation import Steps
 from workbench.engine.recorder import record
 from workbench.rendering.display_program import Strokes, equal_lines, program_of
@@ -35,7 +35,7 @@ def rows_of(rows: np.ndarray, *numbers: float) -> list[tuple]:
 @given(ends=st.lists(st.tuples(corners, corners), min_size=1, max_size=6), linked=st.booleans())
 @settings(max_examples=12, deadline=None)
 def test_a_frame_is_the_sum_of_its_stroke_times_on_every_display(name, ends, linked) -> None:
-    """The text, the tube's schedule, and the display's own times of strokes and jumps added by hand."""
+    """The text, the tube's timeline, and the display's own times of strokes and jumps added by hand."""
     if linked:
         ends = [(a, b) for a, b in zip([e[0] for e in ends], [e[0] for e in ends[1:]], strict=False)] or ends
     timing, units = VectorTiming.named(name), 14.4
@@ -48,12 +48,11 @@ def test_a_frame_is_the_sum_of_its_stroke_times_on_every_display(name, ends, lin
         by_hand += timing.jump_ps(*jump) + (timing.settle_ps if at != start else 0)
         by_hand += timing.stroke_ps((end[0] - start[0]) * units, (end[1] - start[1]) * units)
         at = end
-    drawn = [MmStroke(tuple(a), tuple(b), (1.0,)) for a, b in strokes.ends.tolist()]
-    segments = schedule(drawn, timing, units, (0.0, 0.0))
-    assert sum(s.duration_ps for s in segments if s.kind != "wait") == by_hand
+    frame = timeline(StrokeTable(strokes.ends, np.ones((len(strokes), 1))), timing, units, (0.0, 0.0))
+    assert frame.duration_ps[frame.kind != WAIT].sum() == by_hand
     assert table[-2][-1] == pytest.approx(by_hand * 1e-6, rel=1e-9, abs=1e-4)
     assert table[-1][-1] == pytest.approx(max(by_hand, shortest) * 1e-6, rel=1e-9, abs=1e-4)
-    assert sum(s.duration_ps for s in segments) == max(by_hand, shortest, 1)
+    assert frame.duration_ps.sum() == max(by_hand, shortest, 1)
 
 
 @pytest.mark.parametrize("name", vector_displays())

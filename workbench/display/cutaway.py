@@ -175,7 +175,7 @@ def _flare(gun: Gun) -> list[tuple[float, float]]:
     ]
 
 
-def beam_outline(gun: Gun, way: Sequence[Place]) -> Points:
+def beam_outline(way: Sequence[Place]) -> Points:
     """The beam (n, 2) from its way as the text emits it, as wide as it is; empty where it is cut off."""
     places = [place for place in way if place[0] >= GRID_MM]
     if not places:

@@ -54,7 +54,7 @@ def _whiteness(luminance: NDArray[Any]) -> NDArray[np.float64]:
 
 def colour_table(colour: Rgb) -> NDArray[np.uint32]:
     """0xFFRRGGBB for equal steps of the square root of luminance, for one phosphor colour."""
-    luminance = (np.arange(int(_CEILING * _STEPS_PER_UNIT) + 2) / _STEPS_PER_UNIT) ** 2
+    luminance = _square_steps()
     tone, white = shoulder(luminance), _whiteness(luminance)
     packed = np.full(len(luminance), 0xFF000000, dtype=np.uint32)
     for channel, shift in zip(colour, (16, 8, 0), strict=True):
@@ -103,7 +103,7 @@ class Screen:
             return np.ascontiguousarray(self._tables[0][self._steps(self.glow(lights[0]))][::-1])
         packed = np.full(self.size_px[::-1], 0xFF000000, dtype=np.uint32)
         glowing = [self.glow(light) for light in lights]
-        brightest = glowing[0] if len(glowing) == 1 else np.maximum.reduce(glowing)
+        brightest = np.maximum.reduce(glowing)
         spill = np.maximum(brightest - np.float32(1.0), 0.0) * np.float32(0.03)
         for channel, shift in enumerate((16, 8, 0)):
             linear = spill.copy()

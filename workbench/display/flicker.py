@@ -17,7 +17,6 @@ from workbench.display.phosphor import Phosphor
 Floats = NDArray[np.float64]
 
 BRIGHT_FIELD_CD_M2 = 68.5
-BRIGHT_LINES_CD_M2 = 274.0
 
 EYE_S = 0.05
 """What comes later than this after a hit is seen beside the next place of something that moves."""

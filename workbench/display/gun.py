@@ -15,7 +15,6 @@ from numpy.typing import NDArray
 
 from workbench.algorithms.scanning.electron_beam import electron_beam
 from workbench.algorithms.scanning.electron_optics import (
-    CHARGE_TO_MASS,
     FACE_MM,
     FOCUS_SHARE,
     LENS_MM,
@@ -159,7 +158,7 @@ class Gun:
         if away == 0.0:
             return 0.0, 0.0
         sine = away / math.hypot(away, self.reach_y)
-        strength = sine / (1e-6 * self.length * math.sqrt(CHARGE_TO_MASS / (2.0 * self.anode)))
+        strength = sine / coil_sine(1.0, 0.0, self.anode, self.length)
         return strength * x / away, strength * y / away
 
     # Its inputs

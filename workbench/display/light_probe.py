@@ -55,9 +55,7 @@ def probed_light(
     half = 0.5 * _PATCH * pitch
     window = x - half, y - half, x + half, y + half
     tube, beam = raster_tube(image, (1, 1), setup, np.float64, window_mm=window, gun=gun)
-    line = beam.timing.line_of_row(beam.timing.v_active - 1 - pixel[1])
-    hit = (Fraction(line * beam.timing.h_total + pixel[0]) + Fraction(1, 2)) * beam.timing.pixel_s
-    tube.skip(hit / PICOSECOND)
+    tube.skip(beam.timing.hit_s(*pixel) / PICOSECOND)
     beam.settle(tube)
     tube.exposure()
     times = _instants(beam.frame_s)

@@ -3,10 +3,11 @@ then.
 """
 
 import math
-from collections.abc import Sequence
+from functools import lru_cache
 from typing import NamedTuple
 
-from workbench.display.flicker import critical_frequency_hz, fusion_hz, modulation
+from workbench.display.flicker import fusion_hz
+from workbench.display.list_time import ListTime
 from workbench.display.phosphor import Phosphor
 from workbench.display.vector_timing import VectorTiming
 
@@ -14,18 +15,8 @@ EYE_CD_M2 = 100.0
 """The brightness of the picture that an eye is assumed to look at."""
 
 
-def needed_hz(guns: Sequence[Phosphor], period_s: float) -> float:
-    """The rate (Hz) that the eye asks of a picture whose light is modulated as it is every ``period_s``."""
-    strongest = max(modulation(gun, period_s) for gun in guns)
-    return critical_frequency_hz(EYE_CD_M2, strongest)
-
-
-def flickers(guns: Sequence[Phosphor], period_s: float) -> bool:
-    """Whether an eye sees a picture flicker that is refreshed every ``period_s``."""
-    return 1.0 / period_s < needed_hz(guns, period_s)
-
-
-def longest_steady_s(guns: Sequence[Phosphor]) -> float:
+@lru_cache(maxsize=16)
+def longest_steady_s(guns: tuple[Phosphor, ...]) -> float:
     """The longest time of a picture (s) that does not flicker; infinite where none does."""
     fastest = max(fusion_hz(gun, EYE_CD_M2) for gun in guns)
     return 1.0 / fastest if fastest > 0.0 else math.inf
@@ -43,6 +34,12 @@ class LineTime(NamedTuple):
         """For lines ``units`` long, each as far from the end of the one before."""
         jump = timing.jump_ps(units, 0.0)
         return LineTime(timing.stroke_ps(units, 0.0), jump, timing.settle_ps if units > 0.0 else 0)
+
+    @staticmethod
+    def mean(time: ListTime, lines: int) -> "LineTime":
+        """The mean over the lines of a list; some time even where there is none."""
+        count = max(lines, 1)
+        return LineTime(max(time.strokes_ps // count, 1), time.jumps_ps // count, time.settles_ps // count)
 
     @property
     def total_ps(self) -> int:

@@ -76,6 +76,9 @@ class SteeredBeam:
     def _map(self, weights: Floats, hits: slice | NDArray[np.int64]) -> Floats:
         """The energy of these hits of one period, each times its weight."""
         energy = self.power * float(self._step)
+        if not self.gun.swings:  # all fall in one place
+            whole = self._kind.type(energy * float(weights.sum()))
+            return np.outer(self._across[:, 0] * whole, self._along[:, 0])
         spread: Floats = (self._across[:, hits] * (weights * energy).astype(self._kind)) @ self._along[
             :, hits
         ].T

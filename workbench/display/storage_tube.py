@@ -9,7 +9,7 @@ assumption.
 
 import math
 from collections.abc import Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -42,13 +42,6 @@ BAUD, BITS_PER_BYTE, BYTES_PER_VECTOR = 9600, 10, 4
 def transfer_s(strokes: int) -> float:
     """How long the line takes to bring so many strokes, in seconds."""
     return strokes * BYTES_PER_VECTOR * BITS_PER_BYTE / BAUD
-
-
-class Written(NamedTuple):
-    """What a pass of the beam left: how many pixels are stored by it, and how many were only lit."""
-
-    stored: int
-    only_lit: int
 
 
 class StorageTube:
@@ -92,21 +85,20 @@ class StorageTube:
         patch = stroke_energy(self.size_px, self.size_mm, begin, end, self.spot_mm, whole, 4.0)
         return (patch.rows, patch.columns), patch.values
 
-    def write(self, strokes: Sequence[tuple[Point, Point, float]], slowness: float = 1.0) -> Written:
+    def write(self, strokes: Sequence[tuple[Point, Point, float]], slowness: float = 1.0) -> int:
         """Draw strokes (begin, end in mm, current 0 to 1) once; twice as slow is twice the energy.
 
-        While it is erased nothing is written.
+        Returns how many more pixels are stored; while it is erased nothing is written.
         """
         if self.erasing:
-            return Written(0, 0)
-        before, lit = self.stored.copy(), np.zeros_like(self.stored)
+            return 0
+        before = self.stored.copy()
         for begin, end, current in strokes:
             box, energy = self._energy(begin, end, slowness * current)
             self.stored[box] |= energy >= self.threshold
-            lit[box] |= energy >= 0.1 * self.threshold
             np.maximum(self._trace[box], energy, out=self._trace[box])
         self._since_written = 0.0
-        return Written(int((self.stored & ~before).sum()), int((lit & ~self.stored).sum()))
+        return int((self.stored & ~before).sum())
 
     def write_through(self, strokes: Sequence[tuple[Point, Point, float]]) -> None:
         """Show strokes by a beam too weak to store: they are seen as long as they are drawn again."""

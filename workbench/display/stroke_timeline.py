@@ -95,19 +95,6 @@ def timeline(
     return Timeline(kinds[there], clock, durations, begin[there], end[there], numbers[there])
 
 
-def schedule(
-    strokes: Sequence[MmStroke],
-    timing: VectorTiming,
-    units_per_mm: float,
-    home: Point,
-    min_frame_ps: int = 0,
-) -> list[Segment]:
-    """As ``timeline``, one value for each stretch."""
-    table = StrokeTable.of(strokes)
-    currents = with_dark(table.currents, table.currents.shape[1], 0.0)
-    return segments_of(timeline(table, timing, units_per_mm, home, min_frame_ps), currents)
-
-
 def with_dark(currents: Floats, guns: int, blanked: float) -> Floats:
     """Currents of strokes (n, guns), and after them, as number -1, what the beam has between strokes."""
     return np.concatenate([currents.reshape(-1, guns), np.full((1, guns), blanked)])

@@ -168,6 +168,11 @@ class RasterTiming:
         half, second = divmod(row_from_top, 2)
         return half + (self.v_total + 1) // 2 * second
 
+    def hit_s(self, x: int, y: int) -> Fraction:
+        """When in a frame the beam is in the middle of a pixel of the mode, row 0 at the bottom."""
+        clock = self.line_of_row(self.v_active - 1 - y) * self.h_total + x
+        return (clock + Fraction(1, 2)) / self.pixel_clock_hz
+
     def row_of_line(self, line: int) -> int | None:
         """The row from the top that a line of the frame scans; None while it is blanked."""
         if not self.interlaced:

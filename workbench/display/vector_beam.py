@@ -21,7 +21,6 @@ from workbench.display.blurred_strokes import blur_strokes
 from workbench.display.many_strokes import draw_strokes, strokes_ready
 from workbench.display.spot import narrowed, stroke_energy, stroke_remainder
 from workbench.display.stroke_timeline import (
-    KINDS,
     WAIT,
     MmStroke,
     Point,
@@ -375,9 +374,3 @@ class VectorBeam:
         currents = tuple(self._currents[stroke].tolist())
         place = int((within - start) // 1000)
         return BeamState(x, y, currents, stroke >= 0, stroke, place, int(frame))
-
-    @cached_property
-    def times_ps(self) -> dict[str, int]:
-        """How the frame is spent: picoseconds per kind of stretch."""
-        frame = self.timeline
-        return {kind: int(frame.duration_ps[frame.kind == k].sum()) for k, kind in enumerate(KINDS)}

@@ -1,5 +1,6 @@
 """What a session keeps in the file beside the picture: it is saved, but never a step of undo."""
 
+from functools import lru_cache
 from typing import Annotated, Any, Literal, TypeVar
 
 import msgspec
@@ -107,7 +108,13 @@ def seen_scene(state: SessionState, sheet: Sheet) -> Scene | None:
 def as_seen(state: SessionState, sheet: Sheet) -> Sheet:
     """``sheet`` with its scene seen as it is now; itself where nobody looks around in it."""
     scene = seen_scene(state, sheet)
-    return sheet if scene is sheet.scene else replace(sheet, scene=scene)
+    return sheet if scene is sheet.scene else _with_scene(sheet, scene)
+
+
+@lru_cache(maxsize=4)
+def _with_scene(sheet: Sheet, scene: Scene | None) -> Sheet:
+    """One and the same sheet as long as nobody looks elsewhere."""
+    return replace(sheet, scene=scene)
 
 
 def with_look(state: SessionState, sheet: Sheet, camera: Camera | None) -> dict[str, Look]:

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms.scanning.operations import DRAW, JUMP, MOVE
+from workbench.display.setup import DeviceStroke
 from workbench.document.model import Sheet
 from workbench.rendering.display_list import display_list
 from workbench.rendering.scene.line_drawing import scene_strokes
@@ -64,9 +65,19 @@ class DisplayProgram:
         """How many dark jumps there are."""
         return int((self.rows[:, 0] == MOVE).sum())
 
+    def drawn_by(self, address: int) -> int:
+        """How many strokes are drawn once this instruction was run."""
+        return int((self.rows[: address + 1, 0] == DRAW).sum())
+
     def address_of(self, stroke: int) -> int:
         """The address of the instruction that draws a stroke."""
         return int(np.flatnonzero((self.stroke_of == stroke) & (self.rows[:, 0] == DRAW))[0])
+
+
+def tube_strokes(sheet: Sheet) -> list[DeviceStroke]:
+    """What a vector tube draws of a sheet, its scene included."""
+    strokes: list[DeviceStroke] = [(s.x0, s.y0, s.x1, s.y1, s.colour) for s in display_list(sheet)]
+    return [*strokes, *scene_strokes(sheet)]
 
 
 def strokes_of(sheet: Sheet) -> Strokes:

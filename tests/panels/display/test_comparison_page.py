@@ -1,6 +1,9 @@
 """The page Raster or random as a person uses it: one glass over both tubes, areas, numbers, the answer."""
 
+import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtTest import QTest
@@ -8,9 +11,17 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from tests.panels.display.conftest import put_on_screen
+from workbench.algorithms.marks import Word
+from workbench.algorithms.scanning.operations import NAMES
+from workbench.display.setup import mm_of
+from workbench.document.subjects import Subject
 from workbench.exchange.diagrams import Drawing
+from workbench.panels.display.comparison.derivation import _buffer, _random
 from workbench.panels.display.comparison.page import PAGE, ComparisonPage
+from workbench.panels.shared import lighting
 from workbench.rendering.hatching import filled_pixels, hatched
+from workbench.rendering.scene import backdrop
+from workbench.rendering.subjects import raster
 from workbench.rendering.subjects.comparison import lens_of
 from workbench.session.session import Session
 from workbench.widgets.formulas.paper import write_pdf
@@ -134,3 +145,66 @@ def test_the_page_answers_question_10(page: ComparisonPage) -> None:
     assert sum(isinstance(block, Drawing) for block in derivation.blocks) == 2
     assert write_pdf(derivation).startswith(b"%PDF")
     assert page.copy()
+
+
+def test_a_moved_glass_measures_nothing_anew_and_feeds_no_tube(page: ComparisonPage) -> None:
+    facts, beams = page.facts, [view.driver.beam for view in (page.raster, page.vector) if view.driver]
+    page.bar.give(x=7.0, y=9.0, power=12.0)
+    settle(page)
+    assert place(page) == (7.0, 9.0)
+    assert page.facts is facts
+    assert [view.driver.beam for view in (page.raster, page.vector) if view.driver] == beams
+    page.bar.give(refresh=75.0)
+    settle(page)
+    assert page.facts is not facts
+
+
+def test_a_listed_program_ends_with_its_one_jump(page: ComparisonPage, session: Session) -> None:
+    session.open_example("line")
+    session.visit(PAGE, ComparisonPage.usual)
+    settle(page)
+    assert page.facts is not None
+    words = [item.text for item in _random(page.facts).items if isinstance(item, Word)]
+    assert [word.split()[0] for word in words if word.split()[0] in NAMES] == ["MOVE", "DRAW", "JUMP"]
+
+
+@pytest.mark.parametrize("size", [(640, 480), (480, 640), (64, 48), (300, 900)])
+def test_the_pitch_is_that_of_the_face(page: ComparisonPage, size: tuple[int, int]) -> None:
+    assert page.facts is not None
+    beside = mm_of(1.0, 0.0, size)[0] - mm_of(0.0, 0.0, size)[0]
+    assert page.facts._replace(size=size).pitch_mm == pytest.approx(beside)
+
+
+@given(st.integers(1, 40), st.integers(1, 40), st.randoms(use_true_random=False))
+@settings(max_examples=30, deadline=None)
+def test_the_part_of_the_buffer_that_is_drawn_is_lit_by_half_if_any_is(width, height, random) -> None:
+    """Of all parts as large none is nearer to half."""
+    image = np.array([[random.random() < 0.3 for _x in range(width)] for _y in range(height)], np.uint32)
+    cells = [item.text for item in _buffer(image) if isinstance(item, Word)][1:]
+    rows, columns = min(6, height), min(8, width)
+    assert len(cells) == rows * columns
+    half = rows * columns // 2
+    away = min(
+        abs(int(image[y : y + rows, x : x + columns].sum()) - half)
+        for y in range(height - rows + 1)
+        for x in range(width - columns + 1)
+    )
+    assert abs(cells.count("1") - half) == away
+
+
+@pytest.mark.parametrize("kind", ["comparison", "raster"])
+def test_a_scene_is_scanned_as_soon_as_it_can_be_lit(
+    page: ComparisonPage, session: Session, monkeypatch: pytest.MonkeyPatch, kind: str
+) -> None:
+    session.open_example("space-house")
+    session.visit(PAGE, ComparisonPage.usual)
+    for lit in (False, True):
+        for module in (backdrop, lighting, raster):
+            monkeypatch.setattr(module, "can_be_lit", lambda _sheet, lit=lit: lit)
+        settle(page)
+        scan = raster.scan_of(session.sheet, Subject("raster"))
+        assert scan is not None
+        image = page.raster._image if kind == "comparison" else scan.buffer.shown
+        assert bool(image.any()) == lit
+        assert page._lighting._due.isActive() != lit
+        page._lighting._due.stop()

@@ -5,15 +5,17 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QAbstractButton, QComboBox
 from pytestqt.qtbot import QtBot
+from scipy.optimize import brentq
 
 from tests.panels.display.conftest import put_on_screen
-from workbench.display.flicker import in_closed_form
+from workbench.display.flicker import in_closed_form, zones
 from workbench.display.phosphor import Phosphor, names
 from workbench.document import DocumentError
 from workbench.document.subjects import Subject
 from workbench.exchange.diagram_svg import write_diagram
 from workbench.exchange.diagrams import Heading, Sentence
 from workbench.panels.display.flicker.figures import column_at, moved_picture
+from workbench.panels.display.flicker.measures import verdict
 from workbench.panels.display.flicker.page import FlickerPage
 from workbench.session.session import Session
 from workbench.widgets.look.comfort import comfort
@@ -225,11 +227,25 @@ def test_the_derivation_works_out_why_it_flickers(qtbot: QtBot, page: FlickerPag
     (term,) = Phosphor.named("P39").terms
     percent = np.tanh(1.0 / (60.0 * term.tau_s))
     depth = 2.0 / np.hypot(1.0, 60.0 * np.pi * term.tau_s)
-    fusion = 60.0 + 16.6 * np.log10(100.0 * depth / 137.0)
+    seen = lambda f: 100.0 * 2.0 / np.hypot(1.0, 2.0 * np.pi * f * term.tau_s) / 137.0  # noqa: E731
+    fusion = brentq(lambda f: 60.0 + 16.6 * np.log10(seen(f)) - f, 1.0, 99.0)
     assert f"= {100.0 * percent:.1f} %" in text
     assert f"= {depth:.3f}, at most 2" in text
-    assert f"= {fusion:.1f} Hz at a mean luminance of 100 cd/m²" in text
+    assert f"$ = {fusion:.1f} Hz." in text
     assert "30 Hz flickers" in text
     assert "measured …" not in text
     assert all(f"{point}." in text for point in range(1, 6))
     assert write_diagram(page.derivation()).startswith("<")
+
+
+@pytest.mark.parametrize("name", ["P1", "P31", "P39"])
+def test_map_and_verdict_give_one_fusion_frequency_at_any_rate(name: str) -> None:
+    """The rate that is asked for does not change with the rate that one has."""
+    phosphor = Phosphor.named(name)
+    zone = zones(phosphor, 100.0)
+    (of_map,) = [hz for t10_s, hz in zip(*zone[:2], strict=True) if t10_s == pytest.approx(phosphor.t10_s)]
+    for rate in (20.0, 60.0, 120.0):
+        said = verdict(phosphor, rate, 100.0)
+        assert f"fuses from {of_map:.1f} Hz" in said
+        assert ("flickers" in said) == (rate < of_map)
+        assert f"from {of_map:.0f} Hz" in FlickerPage._where(phosphor, rate, 100.0)

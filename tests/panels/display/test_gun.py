@@ -9,7 +9,14 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QAbstractButton, QComboBox, QDial, QMenu, QPushButton, QSlider
 from pytestqt.qtbot import QtBot
 
-from workbench.algorithms.scanning.electron_beam_views import BLOCKS
+from workbench.algorithms.scanning.electron_beam_views import (
+    ANODE,
+    CATHODE,
+    DEFLECTION,
+    FOCUS,
+    GRID,
+    SCREEN,
+)
 from workbench.display.cutaway import STEPS, parts_of
 from workbench.display.gun import OFF, SINE
 from workbench.document.errors import DocumentError
@@ -46,7 +53,7 @@ def test_the_run_goes_through_the_parts_from_the_cathode_to_the_screen(
         told.append(session.run.steps[step].title)
         assert page.part.part in STEPS[step - 1]
         assert page.drawing_view._lit == STEPS[step - 1]
-    assert tuple(told) == BLOCKS
+    assert tuple(told) == (CATHODE, GRID, FOCUS, ANODE, DEFLECTION, SCREEN)
 
 
 def test_a_voltage_is_typed_slid_and_scrubbed(qtbot: QtBot, page: GunPage) -> None:
@@ -119,6 +126,22 @@ def test_the_spot_is_dragged_on_the_screen_and_moved_by_keys(qtbot: QtBot, page:
     qtbot.keyClick(tube, Qt.Key.Key_Up, Qt.KeyboardModifier.ShiftModifier)
     settle(page)
     assert page.setting.gun.way()[-1][1:3] == pytest.approx((x + 1.0, y + 10.0), abs=0.1)
+
+
+@pytest.mark.parametrize("of", ["tube", "drawing_view"])
+def test_the_run_waits_for_a_drag(qtbot: QtBot, page: GunPage, session: Session, of: str) -> None:
+    view, left, before = getattr(page, of), Qt.MouseButton.LeftButton, session.run.calls
+    spot = page.drawing_view.spot_px if of == "drawing_view" else page.tube._at(-40.0, 30.0)
+    assert spot is not None
+    at = spot.toPoint()
+    qtbot.mousePress(view, left, pos=at)
+    qtbot.mouseMove(view, at + QPoint(0, 12))
+    settle(page)
+    assert page.setting.gun.way()[-1][2] != pytest.approx(12.0, abs=0.5)
+    assert session.run.calls is before
+    qtbot.mouseRelease(view, left, pos=at + QPoint(0, 12))
+    settle(page)
+    assert session.run.calls is not before
 
 
 def test_keys_go_from_part_to_part_and_each_says_what_it_is_for(qtbot: QtBot, page: GunPage) -> None:

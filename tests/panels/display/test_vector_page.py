@@ -362,3 +362,15 @@ def test_what_is_drawn_can_be_seen_stroke_by_stroke_without_a_jump_of_the_number
         row = run.steps.row(number)
         assert page.table.model.value(number - 1, 6) == pytest.approx(row[5], abs=1e-5)
     assert np.isfinite([page.table.model.value(k, 6) for k in range(5)]).all()
+
+
+def test_the_paper_of_a_storage_tube_has_no_refresh(page: VectorPage) -> None:
+    derivation = page.derivation()
+    assert derivation is not None
+    assert "1 / max" in str(derivation.blocks)
+    give(page, storage=True, ordered=True)
+    derivation = page.derivation()
+    assert derivation is not None
+    said = str(derivation.blocks)
+    assert f"{len(page._run.program.strokes):,} · 40 / 9600" in said  # type: ignore[union-attr]
+    assert not any(words in said for words in ("1 / max", "the eye asks", "Nearest end first"))

@@ -10,7 +10,6 @@ FOCUS = "Focus the beam"
 ANODE = "Accelerate it"
 DEFLECTION = "Deflect it"
 SCREEN = "Light the phosphor"
-BLOCKS = (CATHODE, GRID, FOCUS, ANODE, DEFLECTION, SCREEN)
 
 _FOCUSED = "('focusing anode', v_focus, 'spot', spot, 'mm', LENS_MM)"
 _BENT = "('deflection', (drive_x, drive_y), '(x, y)', (x, y), 'mm', PLATES_MM + length / 2.0)"

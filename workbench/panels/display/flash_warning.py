@@ -34,9 +34,7 @@ class CalmSwitch(QCheckBox):
 
 
 class FlashWarning(QFrame):
-    """A strip with a warning and two answers; hidden until ``ask``. ``answered`` comes with either."""
-
-    answered = Signal()
+    """A strip with a warning and two answers; hidden until ``ask``."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -75,4 +73,3 @@ class FlashWarning(QFrame):
     def _answer(self, calm: bool) -> None:
         self.hide()
         comfort.set_calm(calm)
-        self.answered.emit()

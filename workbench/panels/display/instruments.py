@@ -1,7 +1,5 @@
 """The instruments beside the tubes: beam current, deflection, and the light of the probed pixel over time."""
 
-from fractions import Fraction
-
 import numpy as np
 from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QHBoxLayout, QWidget
@@ -140,9 +138,7 @@ class TubeInstruments(QWidget):
         if isinstance(beam, RasterBeam):
             if not beam.drive[:, pixel[1], pixel[0]].any():
                 return None
-            line = beam.timing.line_of_row(beam.timing.v_active - 1 - pixel[1])
-            clocks = Fraction(line * beam.timing.h_total + pixel[0]) + Fraction(1, 2)
-            return float(clocks * beam.timing.pixel_s)
+            return float(beam.timing.hit_s(*pixel))
         if isinstance(beam, VectorBeam) and tube.driver is not None:
             pieces = [(p.begin, p.end, p.start_ps * 1e-12, p.duration_ps * 1e-12) for p in beam.pieces]
             when, distance = nearest_pass(place, pieces)

@@ -6,7 +6,7 @@ from PySide6.QtGui import QGuiApplication, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from workbench.display.raster_beam import RasterBeam
-from workbench.display.refresh_limit import needed_hz
+from workbench.display.refresh_limit import longest_steady_s
 from workbench.language import _
 from workbench.panels.display.controls import DisplayControls
 from workbench.panels.display.flash_warning import FlashWarning
@@ -144,7 +144,7 @@ class TubesPage(PlainPage, QWidget):
         tube = self.instruments.tube
         if tube is None or tube.driver is None:
             return ""
-        fusion = needed_hz(tube.driver.tube.guns, 1.0 / tube.refresh_hz)
+        fusion = 1.0 / longest_steady_s(tuple(tube.driver.tube.guns))
         words = _("flickers") if tube.refresh_hz < fusion else _("steady")
         said = _("{words}: {rate:.3g} Hz, fuses from {fusion:.0f} Hz").format(
             words=words, rate=tube.refresh_hz, fusion=fusion

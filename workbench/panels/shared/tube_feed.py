@@ -11,16 +11,15 @@ from workbench.display.monitor import Knobs
 from workbench.display.setup import TubeSetup, too_many_pixels
 from workbench.document.model import AnyFigure, Sheet
 from workbench.document.state import LONGEST_TIME_S, Look, TubeSettings, as_seen
+from workbench.panels.shared.lighting import Lighting
 from workbench.panels.stage.picture import without
-from workbench.rendering import display_list
-from workbench.rendering.scene.backdrop import can_be_lit, whole_picture
-from workbench.rendering.scene.line_drawing import scene_strokes
+from workbench.rendering.display_program import tube_strokes
+from workbench.rendering.scene.backdrop import whole_picture
 from workbench.session.session import Session
 from workbench.widgets.tube.refusal import Refusal
 from workbench.widgets.tube.view import TubeView
 
 _SETTLE_MS = 120
-_LIGHT_MS = 500
 _NOTHING = np.zeros((3, 4), np.uint32)
 
 
@@ -58,8 +57,7 @@ class TubeFeed(QObject):
         self._resting.setSingleShot(True)
         self._resting.setInterval(_SETTLE_MS)
         self._resting.timeout.connect(self.feed)
-        self._lighting = QTimer(self, singleShot=True, interval=_LIGHT_MS)
-        self._lighting.timeout.connect(self.feed)
+        self._lighting = Lighting(self.feed, self)
         session.changed.connect(self._changed)
         for told in (session.state_changed, session.run.asked, session.unfolding.grown):
             told.connect(self.feed)
@@ -103,9 +101,9 @@ class TubeFeed(QObject):
         """Bring every visible view up to date."""
         sheet, settings, asked = self._session.shown, self._session.state.tube, self._asked
         scanned = self._scanned
-        look, lit = self._session.state.looks.get(sheet.id), can_be_lit(sheet)
-        if not lit and any(view.sight.now for view in self._views):
-            self._lighting.start()
+        if not any(view.sight.now for view in self._views):
+            return
+        look, lit = self._session.state.looks.get(sheet.id), self._lighting.lit(sheet)
         setup = setup_of(settings)
         for view in self._views:
             if not view.sight.now:
@@ -125,6 +123,4 @@ class TubeFeed(QObject):
             if view.scans:
                 self._scan(view, shown)
             else:
-                strokes = [(s.x0, s.y0, s.x1, s.y1, s.colour) for s in display_list(shown)]
-                strokes += scene_strokes(shown)
-                view.set_strokes(strokes, (sheet.width_px, sheet.height_px))
+                view.set_strokes(tube_strokes(shown), (sheet.width_px, sheet.height_px))

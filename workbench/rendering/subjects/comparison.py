@@ -7,7 +7,7 @@ import numpy as np
 from workbench.algorithms import catalogue
 from workbench.document.fields import Number
 from workbench.document.model import Sheet
-from workbench.document.subjects import Subject
+from workbench.document.subjects import Argument, Subject
 from workbench.language import _
 from workbench.rendering.display_program import DisplayProgram, Strokes, program_of, strokes_of
 from workbench.rendering.hatching import hatched
@@ -31,6 +31,15 @@ ARGUMENTS = {
     "y": _given(-1.0, "y", -1.0, 4096.0, "px"),
     "power": _given(USUAL_POWER, _("magnification"), 2.0, 40.0, "×"),
 }
+
+
+LENS = frozenset(("x", "y", "power"))
+"""Where the magnifying glass is and how strong: no number that is compared depends on them."""
+
+
+def compared(subject: Subject) -> dict[str, Argument]:
+    """The arguments that the comparison depends on."""
+    return {name: value for name, value in subject.arguments.items() if name not in LENS}
 
 
 def compares_displays(subject: Subject) -> bool:

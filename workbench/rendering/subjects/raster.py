@@ -19,7 +19,7 @@ from workbench.document.model import Sheet
 from workbench.document.subjects import Argument, Subject
 from workbench.language import _
 from workbench.rendering.mapping import Call
-from workbench.rendering.raster import frame_buffer
+from workbench.rendering.scene.backdrop import can_be_lit, whole_picture
 from workbench.rendering.subjects.registry import Given, SubjectKind, register
 
 KIND = "raster"
@@ -155,16 +155,16 @@ _KEPT = 4
 
 
 def scan_of(sheet: Sheet, subject: Subject) -> Scan | None:
-    """The frame buffer of a sheet as it is stored and scanned; None where ``fault_of`` says why not."""
+    """The picture of a sheet as it is stored and scanned; None where ``fault_of`` says why not."""
     if fault_of(sheet, subject):
         return None
-    key = timing_of(sheet, subject), depth_of(subject), table_of(subject)
+    key = timing_of(sheet, subject), depth_of(subject), table_of(subject), can_be_lit(sheet)
     for known, wanted, scan in _latest:
         if known is sheet and wanted == key:
             return scan
-    timing, depth, table = key
+    timing, depth, table, _lit = key
     left, bottom, right, top = area_mm((sheet.width_px, sheet.height_px))
-    buffer = stored(frame_buffer(sheet), depth, table)
+    buffer = stored(whole_picture(sheet), depth, table)
     if buffer.bits.shape != (timing.v_active, timing.h_active):
         buffer = replace(buffer, bits=resampled(buffer.bits, timing), shown=resampled(buffer.shown, timing))
     scan = Scan(timing, buffer, (right - left, top - bottom))

@@ -55,12 +55,12 @@ _STEP_MM, _FAR_MM = 1.0, 10.0
 
 class GunView(QWidget):
     """``part_chosen``: a part was clicked or gone to. ``lifted``: the beam was dragged to so many millimetres
-    above the axis, or moved there by a key; ``dropped`` ends a drag.
+    above the axis, or moved there by a key; ``held`` tells whether it is being dragged.
     """
 
     part_chosen = Signal(str)
     lifted = Signal(float)
-    dropped = Signal()
+    held = Signal(bool)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -172,7 +172,7 @@ class GunView(QWidget):
             part = shape.part
             if part and is_at(shape, z, y, near):
                 return part
-        outline = beam_outline(self._gun, self._way)
+        outline = beam_outline(self._way)
         if len(outline) and self._polygon(outline).containsPoint(at, Qt.FillRule.OddEvenFill):
             return "beam"
         return None
@@ -186,6 +186,7 @@ class GunView(QWidget):
         spot = self.spot_px
         if spot is not None and (event.position() - spot).manhattanLength() < _NEAR_PX:
             self._dragging = True
+            self.held.emit(True)
             return
         part = self.part_at(event.position())
         if part is not None:
@@ -207,7 +208,7 @@ class GunView(QWidget):
         """Let go of the spot."""
         if self._dragging:
             self._dragging = False
-            self.dropped.emit()
+            self.held.emit(False)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Left and right go from part to part, up and down move the spot, with Shift farther."""
@@ -218,7 +219,6 @@ class GunView(QWidget):
         elif up is not None and self.spot_px is not None:
             far = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
             self.lifted.emit(self._bounded(self._way[-1][2] + up * (_FAR_MM if far else _STEP_MM)))
-            self.dropped.emit()
         elif event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter) and self._chosen is not None:
             self.part_chosen.emit(self._chosen)
         else:
@@ -282,7 +282,7 @@ class GunView(QWidget):
         return shown if tokens().dark else shown.darker(150)
 
     def _paint_beam(self, painter: QPainter) -> None:
-        outline = beam_outline(self._gun, self._way)
+        outline = beam_outline(self._way)
         if not len(outline):
             return
         share = min(self._gun.beam_current / max(self._gun.current, 1e-9), 1.0)

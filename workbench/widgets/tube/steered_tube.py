@@ -23,11 +23,11 @@ _RING = QColor(245, 247, 250, 190)
 
 class SteeredTube(LiveTube):
     """``moved``: the spot was dragged to a place (mm from the middle of the face), or moved by a key;
-    ``dropped`` ends a drag.
+    ``held`` tells whether it is being dragged.
     """
 
     moved = Signal(float, float)
-    dropped = Signal()
+    held = Signal(bool)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -119,6 +119,7 @@ class SteeredTube(LiveTube):
         """Put the spot where the glass is pressed."""
         if event.button() == Qt.MouseButton.LeftButton and self._glass.contains(event.position()):
             self._dragging = True
+            self.held.emit(True)
             self.moved.emit(*self._place(event.position()))
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
@@ -130,7 +131,7 @@ class SteeredTube(LiveTube):
         """Let go of it."""
         if self._dragging:
             self._dragging = False
-            self.dropped.emit()
+            self.held.emit(False)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Arrows move the spot, with Shift farther."""
@@ -141,7 +142,6 @@ class SteeredTube(LiveTube):
         far = _FAR_MM if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else _STEP_MM
         _z, x, y, _r = self._spot
         self.moved.emit(_kept(x + dx * far, FACE_MM[0] / 2.0), _kept(y + dy * far, FACE_MM[1] / 2.0))
-        self.dropped.emit()
 
 
 def _kept(value: float, most: float) -> float:

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from workbench.display.exposure import Screen
 from workbench.display.phosphor import Phosphor
 from workbench.display.setup import DeviceStroke, face_mm, mm_of
-from workbench.display.storage_tube import StorageTube, Written
+from workbench.display.storage_tube import StorageTube
 from workbench.language import _
 from workbench.widgets.look.in_sight import InSight
 from workbench.widgets.look.tokens import colour, tokens
@@ -93,16 +93,16 @@ class StorageView(QWidget):
         """Whether it is being erased."""
         return self.tube is not None and self.tube.erasing
 
-    def write(self) -> Written:
-        """Draw the whole list once."""
+    def write(self) -> int:
+        """Draw the whole list once; how many more pixels are stored."""
         if self.tube is None or self.tube.erasing:
-            return Written(0, 0)
-        written = self.tube.write(self._in_mm(self._strokes))
+            return 0
+        stored = self.tube.write(self._in_mm(self._strokes))
         self._written = (*dict.fromkeys((*(self._written or ()), *self._strokes)),)
         self._refresh()
         self._wake()
         self.changed.emit()
-        return written
+        return stored
 
     def erase(self, flashes: bool) -> None:
         """Erase all of it, with the flash of a real tube or without."""

@@ -9,6 +9,8 @@ from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QFont, QMouseEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QWidget
 
+from workbench.algorithms.scanning.operations import DRAW
+from workbench.rendering.display_program import DisplayProgram
 from workbench.widgets.look.tokens import CAPTION_PX
 from workbench.widgets.tube.glass import glass_path
 from workbench.widgets.tube.stroke_picking import nearest_stroke
@@ -37,6 +39,13 @@ class Trace:
     end: Point
     lit: bool
     address: int
+
+    @staticmethod
+    def at(program: DisplayProgram, address: int) -> "Trace":
+        """Where the run of a display list stands once this instruction was run."""
+        (_before, x0, y0, _dim), (operation, x1, y1, _bright) = program.rows[[address - 1, address]].tolist()
+        coming = program.strokes.ends[program.drawn_by(address) :]
+        return Trace(coming, (x0, y0), (x1, y1), int(operation) == DRAW, address)
 
 
 class StrokeView(TubeView):

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 from workbench.display.beam_path import KINDS, Segment, frame_segments, line_segments
 from workbench.display.timings import RasterTiming
 from workbench.language import _
+from workbench.widgets.look.spans import time_text
 from workbench.widgets.look.tokens import CAPTION_PX, colour, theme, tokens
 
 _TITLE_PX = 132
@@ -28,14 +29,6 @@ def kind_title(kind: str) -> str:
         "sync": _("sync"),
         "back_porch": _("back porch"),
     }[kind]
-
-
-def time_text(seconds: float) -> str:
-    """A time in the unit that keeps it readable."""
-    for factor, unit in ((1.0, "s"), (1e3, "ms"), (1e6, "\N{MICRO SIGN}s"), (1e9, "ns")):
-        if abs(seconds) * factor >= 1.0:
-            return f"{seconds * factor:.4g} {unit}"
-    return f"{seconds * 1e9:.4g} ns"
 
 
 class _Strip(NamedTuple):

@@ -171,15 +171,6 @@ class TubeView(LiveTube):
         """Where on the face the probe sits, in millimetres."""
         return None if self._probe is None else mm_of(*self._probe, self._picture)
 
-    def light_at_probe(self) -> float:
-        """Luminance at the probed pixel in the last step, 1 for white; 0 without a probe."""
-        if self._probe is None or self.driver is None:
-            return 0.0
-        (x_mm, y_mm), (width, height) = mm_of(*self._probe, self._picture), face_mm(self._picture)
-        columns, rows = self.driver.tube.size_px
-        column, row = int(x_mm / width * columns), int(y_mm / height * rows)
-        return float(sum(light[row, column] for light in self.driver.lights))
-
     def mousePressEvent(self, event: QMouseEvent) -> None:
         """Put the probe where the glass is clicked."""
         pixel = pixel_at(event.position(), self._glass, self._picture)

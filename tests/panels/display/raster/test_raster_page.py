@@ -343,3 +343,10 @@ def test_a_hidden_or_held_tube_rests(page: RasterPage, session: Session, qtbot: 
     qtbot.waitUntil(lambda: page.tube.running)
     page.window().hide()
     assert not page.tube.running
+
+
+def test_only_a_bare_key_steps_the_run(page: RasterPage, session: Session, qtbot: QtBot) -> None:
+    qtbot.keyClick(page, Qt.Key.Key_End, Qt.KeyboardModifier.ControlModifier)
+    assert session.run.number == 0
+    qtbot.keyClick(page, Qt.Key.Key_End)
+    assert session.run.ended

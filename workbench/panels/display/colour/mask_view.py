@@ -20,6 +20,7 @@ from workbench.document.subjects import Argument, Subject
 from workbench.language import _
 from workbench.panels.display.colour.sliders import Coordinate, NumberSlider
 from workbench.rendering.subjects.colour_model import (
+    ERROR_MM,
     ERRORS,
     PITCH_MM,
     SLOW,
@@ -30,8 +31,6 @@ from workbench.rendering.subjects.colour_model import (
 from workbench.widgets.fields.number_field import NumberField, complaint_label
 from workbench.widgets.look.tips import tell_choice
 from workbench.widgets.tube.colour_view import ColourView
-
-_MOST_ERROR_MM = 5.0
 
 
 def mask_title(kind: Kind) -> str:
@@ -70,7 +69,7 @@ class MaskView(QWidget):
         )
         self.errors = {
             name: NumberSlider(
-                Coordinate(name[-1], meaning, _MOST_ERROR_MM, "mm", 0.05, -_MOST_ERROR_MM), self.complaint
+                Coordinate(name[-1], meaning, ERROR_MM.high, "mm", 0.05, ERROR_MM.low), self.complaint
             )
             for name, meaning in zip(
                 ERRORS,

@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
 )
 
 from workbench.display.colour_tube import as_levels
-from workbench.display.setup import DeviceStroke, too_many_pixels
+from workbench.display.setup import too_many_pixels
 from workbench.document.model import Sheet
 from workbench.document.state import Look, as_seen
 from workbench.document.subjects import Argument, Position, Subject
@@ -29,10 +29,10 @@ from workbench.panels.display.colour.mask_view import MaskView
 from workbench.panels.display.colour.models_view import ModelsView, coordinates
 from workbench.panels.display.colour.penetration_view import PenetrationView
 from workbench.panels.panel import KeysWhileSeen, Said
+from workbench.panels.shared.lighting import Lighting
 from workbench.panels.stage.plain_page import PlainPage
-from workbench.rendering import display_list
-from workbench.rendering.scene.backdrop import can_be_lit, whole_picture
-from workbench.rendering.scene.line_drawing import scene_strokes
+from workbench.rendering.display_program import tube_strokes
+from workbench.rendering.scene.backdrop import whole_picture
 from workbench.rendering.subjects.colour_model import (
     KIND,
     TO_CMY,
@@ -68,6 +68,7 @@ class ColourPage(PlainPage, QWidget):
         self._colour_tubes = (self.masked.whole, self.masked.magnified)
         self._refusals = [Refusal(view) for view in self._colour_tubes]
         self._drawn: tuple[Sheet, Look | None, bool] | None = None
+        self._lighting = Lighting(self.refresh, self)
         self.stack = QStackedWidget()
         self.switch = QButtonGroup(self)
         self.picked = QLabel()
@@ -220,7 +221,7 @@ class ColourPage(PlainPage, QWidget):
         elif PARTS[number] == MASK:
             self._show_mask(subject, sheet)
         else:
-            self.penetration.show_subject(subject, self._strokes(as_seen(self.session.state, sheet)), size)
+            self.penetration.show_subject(subject, tube_strokes(as_seen(self.session.state, sheet)), size)
 
     def _show_mask(self, subject: Subject, sheet: Sheet) -> None:
         size = sheet.width_px, sheet.height_px
@@ -230,17 +231,12 @@ class ColourPage(PlainPage, QWidget):
             refusal.say(refused)
         if refused:
             return
-        drawn = sheet, self.session.state.looks.get(sheet.id), can_be_lit(sheet)
+        drawn = sheet, self.session.state.looks.get(sheet.id), self._lighting.lit(sheet)
         same = self._drawn is not None and self._drawn[0] is sheet and self._drawn[1:] == drawn[1:]
         image = self.masked.whole.image if same else whole_picture(as_seen(self.session.state, sheet))
         self._drawn = drawn
         for view in self._colour_tubes:
             view.show_picture(image, setup_of(subject))
-
-    @staticmethod
-    def _strokes(sheet: Sheet) -> list[DeviceStroke]:
-        strokes: list[DeviceStroke] = [(s.x0, s.y0, s.x1, s.y1, s.colour) for s in display_list(sheet)]
-        return [*strokes, *scene_strokes(sheet)]
 
     def _show_marks(self) -> None:
         """What the run has worked out, on its hexagon."""

@@ -9,7 +9,7 @@ from workbench.display import VectorTiming, vector_displays
 from workbench.document.subjects import Argument
 from workbench.language import _
 from workbench.panels.stage.folding_card import fill_choices
-from workbench.rendering.subjects.comparison import ARGUMENTS, compares_displays, lens_of, number_of
+from workbench.rendering.subjects.comparison import ARGUMENTS, LENS, compares_displays, lens_of, number_of
 from workbench.rendering.subjects.random_scan import display_of
 from workbench.session.session import Session
 from workbench.widgets.fields.number_field import NumberField, complaint_label
@@ -69,7 +69,7 @@ class ComparisonBar(QWidget):
         if not compares_displays(subject):
             return
         changed = replace(subject, arguments={**subject.arguments, **given})
-        if given.keys() <= {"x", "y", "power"}:
+        if given.keys() <= LENS:
             session.update_state(subject=changed)
         else:
             session.update_state(subject=changed, step=0)

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms.marks import Ink, Region, Stroke, Word
+from workbench.algorithms.scanning.operations import JUMP, NAMES
 from workbench.exchange.diagrams import Arrow, Block, Derivation, Drawing, Heading, Item, Sentence
 from workbench.language import _
 from workbench.panels.display.comparison.facts import Facts, features
@@ -119,13 +120,14 @@ def _buffer(image: NDArray[np.uint32]) -> list[Item]:
     height, width = image.shape
     rows, columns = min(_ROWS + 1, height), min(_CELLS, width)
     lit = image != 0
-    sums = [
-        (-abs(int(lit[y : y + rows, x : x + columns].sum()) - rows * columns // 2), -y, -x)
-        for y in range(0, height - rows + 1, 2)
-        for x in range(0, width - columns + 1, 2)
-    ]
-    _near, y, x = max(sums, default=(0, 0, 0))
-    part = lit[-y : -y + rows, -x : -x + columns]
+    # Of all corners at once: the sums up to each place, from which four give that of a part
+    up_to = np.zeros((height + 1, width + 1), np.int64)
+    up_to[1:, 1:] = lit.cumsum(axis=0).cumsum(axis=1)
+    of_rows = up_to[rows:] - up_to[:-rows]
+    sums = of_rows[:, columns:] - of_rows[:, :-columns]
+    away = np.abs(sums - rows * columns // 2)
+    y, x = np.unravel_index(away.argmin(), away.shape)
+    part = lit[y : y + rows, x : x + columns]
     items: list[Item] = [
         Stroke(_ring(4.0, 10.0, 34.0, 34.0), "text", "thin"),
         Word(_("frame buffer"), 19.0, 34.0, "text", 0, 1),
@@ -151,12 +153,11 @@ def _random(facts: Facts) -> Drawing:
         Stroke(_ring(2.0, 6.0, 24.0, 36.0), "text", "thin"),
         Word(_("display list"), 13.0, 36.0, "text", 0, 1),
     ]
-    names = ("MOVE", "DRAW", "JUMP")
-    rows = facts.program.rows[:5].tolist()
+    rows = facts.program.rows[:-1][:_ROWS].tolist()
     for k, (operation, x, y, _intensity) in enumerate(rows):
-        words = f"{names[int(operation)]} {x:.3g}, {y:.3g}"
+        words = f"{NAMES[int(operation)]} {x:.3g}, {y:.3g}"
         items.append(Word(words, 3.0, 33.0 - 4.6 * k, "text", 1, 0))
-    items.append(Word("JUMP 0", 3.0, 33.0 - 4.6 * 5, "data3", 1, 0))
+    items.append(Word(f"{NAMES[JUMP]} 0", 3.0, 33.0 - 4.6 * len(rows), "data3", 1, 0))
     items += [
         _arrow((24.0, 22.0), (30.0, 22.0)),
         _arrow((50.0, 22.0), (56.0, 22.0)),

@@ -6,7 +6,7 @@ import numpy as np
 
 from workbench.display.list_time import ListTime
 from workbench.display.refresh_limit import LineTime
-from workbench.display.setup import FACE_WIDTH_MM, PICTURE_SHARE
+from workbench.display.setup import area_mm
 from workbench.display.timings import RasterTiming
 from workbench.display.vector_timing import VectorTiming
 from workbench.language import _
@@ -56,7 +56,8 @@ class Facts(NamedTuple):
     @property
     def pitch_mm(self) -> float:
         """From one pixel to the next on the face."""
-        return FACE_WIDTH_MM * PICTURE_SHARE / self.size[0]
+        left, _bottom, right, _top = area_mm(self.size)
+        return (right - left) / self.size[0]
 
     @property
     def as_long_as_raster(self) -> int:

@@ -17,13 +17,13 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
 
-from workbench.algorithms.scanning.operations import DRAW
 from workbench.algorithms.scanning.random_scan import random_scan as text
 from workbench.display.list_time import list_time
 from workbench.display.magnified import magnified_raster, magnified_vector
 from workbench.display.refresh_limit import LineTime, longest_steady_s
 from workbench.display.setup import TubeSetup, too_many_pixels
 from workbench.display.timings import RasterTiming
+from workbench.document.state import as_seen
 from workbench.document.subjects import Subject
 from workbench.exchange.diagrams import Derivation
 from workbench.exchange.tables import Table
@@ -32,12 +32,14 @@ from workbench.panels.display.comparison.bar import ComparisonBar
 from workbench.panels.display.comparison.derivation import derivation
 from workbench.panels.display.comparison.facts import Facts, features, stairs_of
 from workbench.panels.panel import DockPart, KeysWhileSeen, Said
+from workbench.panels.shared.lighting import Lighting
 from workbench.panels.shared.tube_feed import setup_of
 from workbench.panels.stage.plain_page import PlainPage
-from workbench.rendering import frame_buffer
 from workbench.rendering.hatching import filled_pixels, hatched
+from workbench.rendering.scene.backdrop import whole_picture
 from workbench.rendering.subjects.comparison import (
     KIND,
+    compared,
     comparison_program,
     lens_of,
     number_of,
@@ -75,8 +77,11 @@ class ComparisonPage(PlainPage, QWidget):
         self._image = _NOTHING
         self._fed: object = None
         self._measured: object = None
+        self._lighting = Lighting(self.refresh_soon, self)
         self.bar = ComparisonBar(session)
         self.raster, self.vector = TubeView("raster"), StrokeView()
+        for view in (self.raster, self.vector):
+            view.setToolTip(_("Move over the glass to see the same place of both tubes enlarged."))
         self.refusal = Refusal(self.raster)
         self.lenses = TubeLens(self.raster), TubeLens(self.vector)
         self.note = QLabel()
@@ -186,8 +191,18 @@ class ComparisonPage(PlainPage, QWidget):
         if not self.isVisible() or self.session.state.workspace != PAGE:
             return
         self.bar.refresh()
-        facts = self._measure()
-        self._show_tubes(facts)
+        state, sheet = self.session.state, self.session.sheet
+        lit = self._lighting.lit(sheet)
+        of = sheet, compared(state.subject), self._setup, state.looks.get(sheet.id), lit
+        if self.facts is None or of != self._measured:
+            self.facts, self._measured = self._measure(), of
+            self._show_numbers(self.facts)
+        self._show_tubes(self.facts)
+        self._tell()
+        self._resting.start()
+
+    def _show_numbers(self, facts: Facts) -> None:
+        """Table and plot."""
         rows = features(facts)
         headings = "", _("Raster scan"), _("Random scan")
         self.table.show_rows(
@@ -198,38 +213,31 @@ class ComparisonPage(PlainPage, QWidget):
             facts.fusion_hz, facts.most, float(facts.raster.refresh_hz),
         )  # fmt: skip
         self.plot.show_curve(curve, len(facts.program.strokes), MOST_LINES)
-        self._tell()
-        self._resting.start()
 
     def _measure(self) -> Facts:
         """What is compared, of the sheet as it is."""
         sheet, subject = self.session.sheet, self.session.state.subject
-        if self.facts is not None and self._measured == (sheet, subject.arguments, self._setup):
-            return self.facts
         hatch = int(number_of(subject, "hatch"))
         program, timing = comparison_program(sheet, hatch), timing_of(subject)
         units, shortest = units_of(sheet, subject), shortest_ps_of(subject)
         time = list_time(program.rows, units, timing, shortest)
-        count = max(len(program.strokes), 1)
-        line = LineTime(max(time.strokes_ps // count, 1), time.jumps_ps // count, time.settles_ps // count)
+        line = LineTime.mean(time, len(program.strokes))
         refused = too_many_pixels((sheet.width_px, sheet.height_px))
         self.refusal.say(refused)
-        self._image = _NOTHING if refused else frame_buffer(sheet)
+        self._image = _NOTHING if refused else whole_picture(as_seen(self.session.state, sheet))
         rate = Fraction(str(number_of(subject, "refresh")))
         longest = longest_steady_s(self._setup.guns())
-        self.facts = Facts(
+        return Facts(
             (sheet.width_px, sheet.height_px),
             RasterTiming.synthesised(sheet.width_px, sheet.height_px, rate),
             timing, units, program, time, line, stairs_of(comparison_program(sheet, 0).strokes),
             filled_pixels(sheet), len(hatched(sheet, hatch)) if hatch else 0,
             1.0 / longest, line.most_lines(longest, shortest),
         )  # fmt: skip
-        self._measured = sheet, subject.arguments, self._setup
-        return self.facts
 
     @property
     def _setup(self) -> TubeSetup:
-        """Phosphor and persistence, as on the other pages; the rate is this page's."""
+        """As on the other pages, but for the rate and the speeds of the beam, which are this page's."""
         subject = self.session.state.subject
         return replace_setup(
             setup_of(self.session.state.tube),
@@ -244,12 +252,8 @@ class ComparisonPage(PlainPage, QWidget):
         strokes = facts.program.strokes
         image = self._image
         if address >= 0:
-            drawn = int((facts.program.rows[: address + 1, 0] == DRAW).sum())
-            rows = facts.program.rows
-            before, now = rows[address - 1, 1:3].tolist(), rows[address, 1:3].tolist()
-            lit = int(rows[address, 0]) == DRAW
-            self.vector.set_trace(Trace(strokes.ends[drawn:], tuple(before), tuple(now), lit, address))
-            strokes = strokes.cut(drawn)
+            self.vector.set_trace(Trace.at(facts.program, address))
+            strokes = strokes.cut(facts.program.drawn_by(address))
             scanned = min(int(done_s / float(facts.raster.line_s)), len(image))
             image = image.copy()
             image[: len(image) - scanned] = 0
@@ -303,7 +307,7 @@ class ComparisonPage(PlainPage, QWidget):
         if 0 <= number < len(rows):
             self.note.setText(rows[number].but)
         elif self.facts.filled:
-            said = _("A random-scan tube has no memory of areas, so what the raster fills is hatched there.")
+            said = _("A random-scan tube draws lines only, so what the raster fills is hatched there.")
             self.note.setText(
                 said if self.facts.hatches else _("Areas are outlines on the random-scan tube.")
             )

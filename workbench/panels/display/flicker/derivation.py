@@ -6,9 +6,10 @@ from workbench.algorithms.marks import Stroke, Word, along
 from workbench.algorithms.numerals import numeral
 from workbench.display.flicker import (
     BRIGHT_FIELD_CD_M2,
-    critical_frequency_hz,
+    fusion_hz,
     in_closed_form,
     light_over_refresh,
+    modulation,
 )
 from workbench.display.phosphor import Phosphor
 from workbench.exchange.diagrams import Arrow, Block, Derivation, Drawing, Heading, Item, Sentence
@@ -70,7 +71,7 @@ def derivation(phosphor: Phosphor, refresh_hz: float, cd_m2: float, measures: Ta
             )
             for name, formula, measured in measures.rows
         ),
-        Sentence(verdict(in_closed_form(phosphor, 1.0 / refresh_hz), phosphor, refresh_hz, cd_m2)),
+        Sentence(verdict(phosphor, refresh_hz, cd_m2)),
         Sentence(doubt(phosphor)),
     ]
     return Derivation(title, blocks, paper_inks())
@@ -129,14 +130,25 @@ def _numbers(phosphor: Phosphor, refresh_hz: float, cd_m2: float) -> list[str]:
             "Modulation of the fundamental, with the share $e_k$ of each term and $omega = 2 pi f$: "
             "$m = 2 |Sigma e_k / (1 + i omega tau_k)|$ = {modulation:.3f}, at most 2."
         ).format(modulation=flicker.modulation),
-        _(
-            "Fusion: $f_c = 60 + 16.6 log_10(L m / (2 * {field})) = 60 + 16.6 log_10({cd:g} * "
-            "{modulation:.3f} / {twice:g})$ = {fusion:.1f} Hz at a mean luminance of {cd:g} cd/m²."
-        ).format(
-            field=BRIGHT_FIELD_CD_M2,
-            cd=cd_m2,
-            modulation=flicker.modulation,
-            twice=2.0 * BRIGHT_FIELD_CD_M2,
-            fusion=critical_frequency_hz(cd_m2, flicker.modulation),
-        ),
+        _fusion(phosphor, cd_m2),
     ]
+
+
+def _fusion(phosphor: Phosphor, cd_m2: float) -> str:
+    """The rate at which prediction and refresh are one; a faster refresh modulates the light less."""
+    fusion = fusion_hz(phosphor, cd_m2)
+    if fusion <= 0.0:
+        return _("Fusion: at a mean luminance of {cd:g} cd/m² no rate is so low that it flickers.").format(
+            cd=cd_m2
+        )
+    return _(
+        "Fusion at a mean luminance of {cd:g} cd/m²: the refresh $f$ for which "
+        "$f = 60 + 16.6 log_10(L m / (2 * {field}))$, where $m$ is that of this $f$: "
+        "$60 + 16.6 log_10({cd:g} * {modulation:.3f} / {twice:g})$ = {fusion:.1f} Hz."
+    ).format(
+        field=BRIGHT_FIELD_CD_M2,
+        cd=cd_m2,
+        modulation=modulation(phosphor, 1.0 / fusion),
+        twice=2.0 * BRIGHT_FIELD_CD_M2,
+        fusion=fusion,
+    )

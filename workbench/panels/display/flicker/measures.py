@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QSizePolicy, QWidget
 
-from workbench.display.flicker import EYE_S, Flicker, critical_frequency_hz, share_later, smears
+from workbench.display.flicker import EYE_S, Flicker, fusion_hz, share_later, smears
 from workbench.display.phosphor import Phosphor, doubts
 from workbench.exchange.tables import Table
 from workbench.language import _
@@ -75,12 +75,12 @@ class MeasuresView(QWidget):
             for label, column in zip(labels, columns, strict=True):
                 label.setText(column[row])
         self.table = Table(self.table.columns, list(zip(self.names, *columns, strict=True)), formulas=False)
-        self.verdict.setText(f"{verdict(formula, phosphor, refresh_hz, cd_m2)} {doubt(phosphor)}")
+        self.verdict.setText(f"{verdict(phosphor, refresh_hz, cd_m2)} {doubt(phosphor)}")
 
 
-def verdict(formula: Flicker, phosphor: Phosphor, refresh_hz: float, cd_m2: float) -> str:
+def verdict(phosphor: Phosphor, refresh_hz: float, cd_m2: float) -> str:
     """Whether an eye sees it flicker, and whether what moves leaves a trail."""
-    fusion = critical_frequency_hz(cd_m2, formula.modulation)
+    fusion = fusion_hz(phosphor, cd_m2)
     if refresh_hz < fusion:
         said = _("At {cd:g} cd/m\N{SUPERSCRIPT TWO} it fuses from {fusion:.1f} Hz: {rate:.4g} Hz flickers.")
     else:

@@ -12,14 +12,14 @@ from PySide6.QtWidgets import QHBoxLayout, QSplitter, QVBoxLayout, QWidget
 
 from workbench.algorithms.marks import Spot
 from workbench.display.flicker import (
-    Flicker,
-    critical_frequency_hz,
+    fusion_hz,
     in_closed_form,
     light_over_refresh,
     measured,
     zones,
 )
 from workbench.display.light_probe import ProbedLight, probed_light
+from workbench.display.phosphor import Phosphor
 from workbench.display.setup import too_many_pixels
 from workbench.document.state import as_seen
 from workbench.document.subjects import Argument, Position, Subject
@@ -33,6 +33,7 @@ from workbench.panels.display.flicker.figures import column_at, moved_picture, m
 from workbench.panels.display.flicker.measures import MeasuresView
 from workbench.panels.display.flicker.phosphor_table import PhosphorTable
 from workbench.panels.panel import DockPart, KeysWhileSeen, Said
+from workbench.panels.shared.lighting import Lighting
 from workbench.panels.stage.plain_page import PlainPage
 from workbench.rendering.scene.backdrop import whole_picture
 from workbench.rendering.subjects.flicker import KIND, given, is_of_a_phosphor, number, phosphor_of, setup_of
@@ -77,6 +78,7 @@ class FlickerPage(PlainPage, QWidget):
         self._rest.timeout.connect(self._settle)
         self._moving = QTimer(self, interval=_MOVE_MS)
         self._moving.timeout.connect(self._move)
+        self._lighting = Lighting(self._settle, self)
         self._column, self._held = -1, False
         self.image = np.zeros((1, 1), np.uint32)
         self._lay_out()
@@ -196,7 +198,7 @@ class FlickerPage(PlainPage, QWidget):
             zones(own, luminance),
             setup.refresh_hz,
             phosphor.t10_s,
-            self._where(formula, setup.refresh_hz, luminance),
+            self._where(phosphor, setup.refresh_hz, luminance),
         )
         self.phosphors.mark(phosphor.name)
         if self.tube.driver is None:
@@ -211,8 +213,8 @@ class FlickerPage(PlainPage, QWidget):
         self._rest.start()
 
     @staticmethod
-    def _where(formula: Flicker, refresh_hz: float, luminance: float) -> str:
-        fusion = critical_frequency_hz(luminance, formula.modulation)
+    def _where(phosphor: Phosphor, refresh_hz: float, luminance: float) -> str:
+        fusion = fusion_hz(phosphor, luminance)
         words = _("flickers") if refresh_hz < fusion else _("steady")
         return _("{words}: {rate:.4g} Hz, fuses from {fusion:.0f} Hz").format(
             words=words, rate=refresh_hz, fusion=fusion
@@ -234,6 +236,7 @@ class FlickerPage(PlainPage, QWidget):
             self._column = -1
             self._move()
         else:
+            self._lighting.lit(sheet)
             self._put(whole_picture(as_seen(self.session.state, sheet)))
         self._probe_something()
         self._let_move()

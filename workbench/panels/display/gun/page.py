@@ -110,6 +110,8 @@ class GunPage(PlainPage, QWidget):
         self.drawing_view.part_chosen.connect(self._speak_of)
         self.drawing_view.lifted.connect(lambda y: self._steer(None, y))
         self.tube.moved.connect(self._steer)
+        for view in (self.drawing_view, self.tube):
+            view.held.connect(session.hold_runs)
         self.tube.advanced.connect(self._follow_tube)
         comfort.changed.connect(self.refresh_soon)
 

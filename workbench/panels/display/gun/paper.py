@@ -50,7 +50,7 @@ def figure(gun: Gun, labelled: bool = True) -> Drawing:
             items.append(Region(shape.points, ink))
         pattern = "dash" if shape.kind in ("coating", "axis") else "solid"
         items.append(Stroke(ring, ink, weight, pattern))  # type: ignore[arg-type]
-    outline = beam_outline(gun, way)
+    outline = beam_outline(way)
     if len(outline):
         items += [Region(outline, "data5"), Stroke(closed(outline), "data5", "thin")]
     if ends_on_face(gun, way):

@@ -13,7 +13,8 @@ from workbench.language import _
 from workbench.panels.display.raster.sums import Sum
 from workbench.panels.display.raster.system import Numbers, drawing
 from workbench.widgets.formulas.paper import paper_inks
-from workbench.widgets.tube.timing_diagram import kind_title, time_text
+from workbench.widgets.look.spans import time_text
+from workbench.widgets.tube.timing_diagram import kind_title
 
 _INKS = {"active": "data1", "front_porch": "data5", "sync": "data2", "back_porch": "data4"}
 _WIDE, _HIGH, _PT = 400.0, 20.0, 60.0

@@ -291,13 +291,13 @@ class RasterPage(PlainPage, QWidget):
             return
         timing = scan.timing
         column, row = int(_CAUGHT[1] * timing.h_active), int(_CAUGHT[0] * timing.v_active)
-        rows, columns = np.nonzero(scan.buffer.shown[::-1])
+        row = timing.v_active - 1 - row
+        rows, columns = np.nonzero(scan.buffer.shown)
         if len(rows):  # where it is on
             nearest = int(np.argmin((rows - row) ** 2 + (columns - column) ** 2))
             column, row = int(columns[nearest]), int(rows[nearest])
-        clock = timing.line_of_row(row) * timing.h_total + column
         frames = int(self.tube.seconds() / timing.frame_s) + 1
-        seconds = float(frames * timing.frame_s + (clock + Fraction(1, 2)) / timing.pixel_clock_hz)
+        seconds = float(frames * timing.frame_s + timing.hit_s(column, row))
         tube = replace(self.session.state.tube, slow_motion=_CAUGHT_SLOW, paused=True, time_s=seconds)
         self.session.update_state(tube=tube, step=0)
 
@@ -320,7 +320,7 @@ class RasterPage(PlainPage, QWidget):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Home, End and Space are for the run."""
-        do = stepping_keys(self.session.run).get(event.key())
+        do = None if event.modifiers() else stepping_keys(self.session.run).get(event.key())
         if do is None:
             super().keyPressEvent(event)
         else:

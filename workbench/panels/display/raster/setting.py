@@ -6,6 +6,7 @@ from msgspec.structs import replace
 
 from workbench.display.scan import Scan
 from workbench.display.timings import RasterTiming
+from workbench.document.state import as_seen
 from workbench.document.subjects import Argument, Position, Subject
 from workbench.rendering.subjects.raster import KIND, given, mode_of, scan_of, with_given
 from workbench.rendering.subjects.registry import checked
@@ -47,4 +48,4 @@ class RasterSetting:
     @property
     def scan(self) -> Scan | None:
         """What is scanned; None where nothing can be."""
-        return scan_of(self.session.sheet, self.subject)
+        return scan_of(as_seen(self.session.state, self.session.sheet), self.subject)

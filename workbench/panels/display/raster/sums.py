@@ -8,6 +8,7 @@ from workbench.display import raster_sums as of
 from workbench.display.timings import RasterTiming
 from workbench.exchange.tables import Table, plain
 from workbench.language import _
+from workbench.widgets.look.spans import time_text
 
 Pixel = tuple[int, int]
 
@@ -127,7 +128,7 @@ def _memory(n: Numbers) -> list[Sum]:
             _("Loading over the line"),
             "W \u00b7 H \u00b7 b / R",
             f"{n.width} \u00b7 {n.height} \u00b7 {n.bits} / {_number(n.bits_per_second)}",
-            _time(loading),
+            time_text(loading),
         ),
         Sum(_("Aspect of the picture"), "W : H", f"{n.width} : {n.height}", f"{columns} : {rows}"),
         Sum(
@@ -147,13 +148,13 @@ def _plain(n: Numbers) -> list[Sum]:
             _("Line time, no retrace"),
             "1 / (H f)",
             f"1 / ({n.height} \u00b7 {hz} Hz)",
-            _time(of.plain_line_s(n.height, n.refresh_hz)),
+            time_text(of.plain_line_s(n.height, n.refresh_hz)),
         ),
         Sum(
             _("Pixel time, no retrace"),
             "1 / (W H f)",
             f"1 / ({n.width} \u00b7 {n.height} \u00b7 {hz} Hz)",
-            _time(of.plain_pixel_s(n.width, n.height, n.refresh_hz)),
+            time_text(of.plain_pixel_s(n.width, n.height, n.refresh_hz)),
         ),
         Sum(
             _("Read from the frame buffer, on average"),
@@ -165,7 +166,7 @@ def _plain(n: Numbers) -> list[Sum]:
 
 
 def _with_retraces(n: Numbers) -> list[Sum]:
-    frame, h, v = (_time(each) for each in (1 / n.refresh_hz, n.h_retrace_s, n.v_retrace_s))
+    frame, h, v = (time_text(each) for each in (1 / n.refresh_hz, n.h_retrace_s, n.v_retrace_s))
     line = of.line_s(n.height, n.refresh_hz, n.v_retrace_s)
     pixel = of.pixel_s(n.width, n.height, n.refresh_hz, n.h_retrace_s, n.v_retrace_s)
     share = of.retrace_share(n.height, n.refresh_hz, n.h_retrace_s, n.v_retrace_s)
@@ -174,20 +175,20 @@ def _with_retraces(n: Numbers) -> list[Sum]:
         taken = n.height * n.h_retrace_s + n.v_retrace_s
         fault = _(
             "the retraces take {taken} of a frame of {frame}, which leaves no time for pixels; shorten them"
-        ).format(taken=_time(taken), frame=frame)
+        ).format(taken=time_text(taken), frame=frame)
     return [
         Sum(
             _("Line time, given retraces"),
             "(1 / f \u2212 t_v) / H",
             f"({frame} \u2212 {v}) / {n.height}",
-            "" if line <= 0 else _time(line),
+            "" if line <= 0 else time_text(line),
             fault if line <= 0 else "",
         ),
         Sum(
             _("Pixel time, given retraces"),
             "(1 / f \u2212 H t_h \u2212 t_v) / (W H)",
             f"({frame} \u2212 {n.height} \u00b7 {h} \u2212 {v}) / ({n.width} \u00b7 {n.height})",
-            "" if fault else _time(pixel),
+            "" if fault else time_text(pixel),
             fault,
         ),
         Sum(
@@ -204,12 +205,12 @@ def _totals(timing: RasterTiming, bits: int) -> list[Sum]:
     clock = f"{float(timing.pixel_clock_hz) / 1e6:.10g} MHz"
     across, down = timing.h_total, timing.v_total
     rows = [
-        Sum(_("Pixel time, the mode's clock"), "1 / f_{clock}", f"1 / {clock}", _time(timing.pixel_s)),
+        Sum(_("Pixel time, the mode's clock"), "1 / f_{clock}", f"1 / {clock}", time_text(timing.pixel_s)),
         Sum(
             _("Line time, the mode's totals"),
             "h_{total} / f_{clock}",
             f"{across} / {clock}",
-            _time(timing.line_s),
+            time_text(timing.line_s),
         ),
         Sum(
             _("Line rate"),
@@ -262,12 +263,3 @@ def _number(value: Fraction) -> str:
 
 def _short(value: Fraction) -> str:
     return f"{float(value):,.4g}" if value.denominator != 1 or value >= 10**9 else f"{int(value):,}"
-
-
-def _time(seconds: Fraction) -> str:
-    """Four digits in the unit that keeps them readable."""
-    value = float(seconds)
-    for factor, unit in ((1.0, "s"), (1e3, "ms"), (1e6, "\N{MICRO SIGN}s"), (1e9, "ns")):
-        if abs(value) * factor >= 1.0:
-            return f"{value * factor:.4g} {unit}"
-    return f"{value * 1e9:.4g} ns"

@@ -22,6 +22,9 @@ Point = tuple[float, float]
 Numbers = Mapping[str, Any]
 
 WIDTH, HEIGHT = 400.0, 320.0
+BUS_NAME = 60.0, 250.0
+"""Where the name of the bus begins, above it."""
+
 _DASH = "\N{EN DASH}"
 
 
@@ -141,5 +144,5 @@ def drawing(scan: Scan | None, now: Numbers, changed: Collection[str]) -> Drawin
         ink = "accent" if wire.of in lit else "muted"
         way = np.array(wire.way)
         items.append(Arrow(way, ink, "medium") if wire.arrow else Stroke(way, ink, "medium"))  # type: ignore[arg-type]
-    items.append(Word(_("system bus"), 110.0, 254.0, "muted", 0, 0))
+    items.append(Word(_("system bus"), *BUS_NAME, "muted", 1, 1))
     return Drawing((0.0, 0.0, WIDTH, HEIGHT), items, 360.0)

@@ -8,7 +8,17 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from workbench.display.scan import Scan
 from workbench.language import _
-from workbench.panels.display.raster.system import HEIGHT, WIDTH, Numbers, Part, Wire, parts, told, wires
+from workbench.panels.display.raster.system import (
+    BUS_NAME,
+    HEIGHT,
+    WIDTH,
+    Numbers,
+    Part,
+    Wire,
+    parts,
+    told,
+    wires,
+)
 from workbench.widgets.look.tokens import CAPTION_PX, RADIUS, colour, theme, tokens
 from workbench.widgets.look.type_faces import code_font
 
@@ -72,7 +82,7 @@ class SystemView(QWidget):
             self._paint_wire(painter, wire, wire.of in lit)
         painter.setFont(self._font(False))
         painter.setPen(colour(tokens().muted))
-        painter.drawText(self._point(60, 250), _("system bus"))
+        painter.drawText(self._point(*BUS_NAME), _("system bus"))
 
     def _font(self, of_numbers: bool) -> QFont:
         pixels = max(_LEAST_PX, min(CAPTION_PX + 2, round(CAPTION_PX * self._scale())))

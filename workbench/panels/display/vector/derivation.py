@@ -4,7 +4,7 @@ from workbench.algorithms.scanning.operations import DRAW, NAMES
 from workbench.exchange.diagrams import Block, Derivation, Heading, Sentence
 from workbench.language import _
 from workbench.panels.display.vector.architecture import architecture
-from workbench.panels.display.vector.numbers import on_paper, saving, sum_lines, verdict
+from workbench.panels.display.vector.numbers import on_paper, working
 from workbench.panels.display.vector.run import VectorRun
 from workbench.widgets.formulas.paper import paper_inks
 
@@ -29,8 +29,9 @@ def derivation(run: VectorRun) -> Derivation:
     ]
     blocks += [Sentence(line) for line in _listing(run)]
     blocks.append(Heading(_("How long a picture takes")))
-    blocks += [Sentence(on_paper(line)) for line in sum_lines(run.budget)]
-    blocks += [Sentence(line) for line in (verdict(run.budget), saving(run.budget)) if line]
+    sums, seen = working(run.budget, run.stores)
+    blocks += [Sentence(on_paper(line)) for line in sums]
+    blocks += [Sentence(line) for line in seen]
     return Derivation(title, blocks, paper_inks())
 
 

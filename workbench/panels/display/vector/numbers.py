@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from workbench.display.list_time import ListTime
 from workbench.display.refresh_limit import LineTime
-from workbench.display.storage_tube import BAUD, ERASE_S, transfer_s
+from workbench.display.storage_tube import BAUD, BITS_PER_BYTE, BYTES_PER_VECTOR, ERASE_S, transfer_s
 from workbench.display.vector_timing import VectorTiming
 from workbench.language import _
 
@@ -15,10 +15,10 @@ _INDEX = re.compile(r"T_(\w+)")
 
 
 class Budget(NamedTuple):
-    """The time of a list on a display. ``line`` is that of one of ``lines`` test lines, None for a sheet's
-    own list; ``fusion_hz`` is the rate from which the eye sees it steady, 1 / T_eye (0: any rate), ``most``
-    how many lines keep it (None: any).
-    ``unordered_ps`` is the time of the same list in the order of the sheet.
+    """The time of a list of ``lines`` lines on a display. ``line`` is that of one of them: in a ``test`` of
+    equal lines of each, else of the mean one. ``fusion_hz`` is the rate from which the eye sees it steady,
+    1 / T_eye (0: any rate), ``most`` how many lines keep it (None: any). ``unordered_ps`` is the time of the
+    same list in the order of the sheet.
     """
 
     timing: VectorTiming
@@ -102,13 +102,28 @@ def storage_lines(strokes: int) -> list[str]:
         _("No refresh: the list is written once, over a line of {baud:,} baud (Tektronix 4010).").format(
             baud=BAUD
         ),
-        _("t = n · 4 bytes · 10 bits / {baud} = {n:,} · 40 / {baud} = {s:.3g} s (4 bytes: uncertain)").format(
-            baud=BAUD, n=strokes, s=transfer_s(strokes)
+        _(
+            "t = n · {bytes} bytes · {bits} bits / {baud} = {n:,} · {each} / {baud} = {s:.3g} s "
+            "({bytes} bytes: uncertain)"
+        ).format(
+            bytes=BYTES_PER_VECTOR,
+            bits=BITS_PER_BYTE,
+            each=BYTES_PER_VECTOR * BITS_PER_BYTE,
+            baud=BAUD,
+            n=strokes,
+            s=transfer_s(strokes),
         ),
         _("To change one stroke: erase all, {erase} s (Tektronix 613), and write again, {all:.3g} s.").format(
             erase=ERASE_S, all=ERASE_S + transfer_s(strokes)
         ),
     ]
+
+
+def working(budget: Budget, stores: bool) -> tuple[list[str], list[str]]:
+    """The lines of the sum, and what the eye sees of it: nothing where a storage tube keeps the list."""
+    if stores:
+        return storage_lines(budget.lines), []
+    return sum_lines(budget), [line for line in (verdict(budget), saving(budget)) if line]
 
 
 def _limit(budget: Budget) -> str:

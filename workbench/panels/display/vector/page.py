@@ -26,7 +26,7 @@ from workbench.panels.display.vector.bar import VectorBar
 from workbench.panels.display.vector.derivation import derivation
 from workbench.panels.display.vector.list_changes import ListChanges
 from workbench.panels.display.vector.list_table import ListTable
-from workbench.panels.display.vector.numbers import rich, saving, storage_lines, sum_lines, verdict
+from workbench.panels.display.vector.numbers import rich, working
 from workbench.panels.display.vector.run import VectorRun, vector_run
 from workbench.panels.display.vector.storage_bar import StorageBar
 from workbench.panels.panel import DockPart, KeysWhileSeen, Said
@@ -220,12 +220,12 @@ class VectorPage(PlainPage, QWidget):
             action.setEnabled(not run.locked)
             action.setToolTip(run.locked or f"{action.text()} ({action.shortcut().toString()})")
         self._show_tube(run)
-        sums = storage_lines(len(run.program.strokes)) if run.stores else sum_lines(run.budget)
+        sums, seen = working(run.budget, run.stores)
         self.sums.setText("<br>".join(map(rich, sums)))
-        words = [verdict(run.budget), saving(run.budget), run.note]
+        words = [*seen, run.note]
         self.note.setText(" ".join(filter(None, words)))
-        for part in (self.note, self.plot):
-            part.setVisible(not run.stores)
+        self.note.setVisible(any(words))
+        self.plot.setVisible(not run.stores)
         self.plot.show_curve(run.curve, run.budget.lines, MOST_LINES)
         self.architecture.show_drawing(partial(architecture, run.working), told(run.working))
 

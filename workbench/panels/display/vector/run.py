@@ -1,12 +1,9 @@
 """What the page Random scan shows of a session: the list, its times, and where its run stands."""
 
 from dataclasses import dataclass
-from functools import lru_cache
 
-from workbench.algorithms.scanning.operations import DRAW
-from workbench.display.list_time import ListTime, list_time
+from workbench.display.list_time import list_time
 from workbench.display.refresh_limit import LineTime, longest_steady_s
-from workbench.display.setup import TubeSetup
 from workbench.language import _
 from workbench.panels.display.vector.architecture import Working
 from workbench.panels.display.vector.numbers import Budget
@@ -64,13 +61,7 @@ class VectorRun:
     @property
     def trace(self) -> Trace | None:
         """Where the beam is."""
-        if not self.steps:
-            return None
-        rows = self.program.rows
-        before, now = rows[self.address - 1, 1:3].tolist(), rows[self.address, 1:3].tolist()
-        lit = int(rows[self.address, 0]) == DRAW
-        coming = self.program.strokes.ends[self.drawn :]
-        return Trace(coming, tuple(before), tuple(now), lit, self.address)
+        return Trace.at(self.program, self.address) if self.steps else None
 
     @property
     def working(self) -> Working:
@@ -104,8 +95,8 @@ def vector_run(session: Session) -> VectorRun:
         unordered = list_time(plain.rows, units, timing, shortest).list_ps
     test = bool(lines_of(subject))
     length = length_of(sheet, subject) * units
-    line = LineTime.of(timing, length) if test else _mean_line(program, time)
-    longest = _longest_steady(setup_of(session.state.tube))
+    line = LineTime.of(timing, length) if test else LineTime.mean(time, len(program.strokes))
+    longest = longest_steady_s(setup_of(session.state.tube).guns())
     budget = Budget(
         timing, units, shortest, time, len(program.strokes), line, length, test,
         1.0 / longest, line.most_lines(longest, shortest), unordered,
@@ -119,18 +110,6 @@ def vector_run(session: Session) -> VectorRun:
     )  # fmt: skip
 
 
-def _mean_line(program: DisplayProgram, time: ListTime) -> LineTime:
-    """The mean over the strokes of a list."""
-    count = max(len(program.strokes), 1)
-    stroke = max(time.strokes_ps // count, 1)
-    return LineTime(stroke, time.jumps_ps // count, time.settles_ps // count)
-
-
-@lru_cache(maxsize=16)
-def _longest_steady(setup: TubeSetup) -> float:
-    return longest_steady_s(setup.guns())
-
-
 def _position(session: Session, program: DisplayProgram) -> tuple[int, int]:
     """The address that was run last, and how many strokes are drawn by then."""
     run = session.run
@@ -139,7 +118,7 @@ def _position(session: Session, program: DisplayProgram) -> tuple[int, int]:
     address = min(run.step_number - 1, len(program) - 1)
     if address < 0:
         return -1, 0
-    return address, int((program.rows[: address + 1, 0] == DRAW).sum())
+    return address, program.drawn_by(address)
 
 
 def _locked(test: bool, ordered: bool) -> str:

@@ -3,6 +3,7 @@
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QCheckBox, QGridLayout, QHBoxLayout, QLabel, QPushButton, QSizePolicy, QWidget
 
+from workbench.display.storage_tube import ERASE_S
 from workbench.language import _
 from workbench.widgets.look.comfort import comfort
 from workbench.widgets.tube.storage_view import StorageView
@@ -23,7 +24,8 @@ class StorageBar(QWidget):
             _("Show the list by a beam too weak to store it: it is gone as soon as it is no longer drawn")
         )
         self.erase = QPushButton(_("Erase all"))
-        self.erase.setToolTip(_("Erase the whole face; a real tube flashes meanwhile, for 0.9 s"))
+        erasing = _("Erase the whole face; a real tube flashes meanwhile, for {s:g} s")
+        self.erase.setToolTip(erasing.format(s=ERASE_S))
         self.part = QPushButton(_("Erase a stroke"))
         self.part.setToolTip(_("Try to erase the chosen stroke alone"))
         self.flash, self.dark = QPushButton(_("With the flash")), QPushButton(_("Without it"))
@@ -74,9 +76,9 @@ class StorageBar(QWidget):
         self._view.erase(flashes)
 
     def _write(self) -> None:
-        written = self._view.write()
+        stored = self._view.write()
         said = _("{n:,} more pixels of the face are stored.")
-        self.said.emit(said.format(n=written.stored))
+        self.said.emit(said.format(n=stored))
 
     def refuse_part(self) -> None:
         """A stroke cannot be erased alone: say so."""
@@ -93,7 +95,7 @@ class StorageBar(QWidget):
         for part in (self.write, self.erase, self.through):
             part.setEnabled(not view.erasing)
         if view.erasing:
-            said = _("All of it is being erased: 0.9 s, in which nothing can be written.")
+            said = _("All of it is being erased: {s:g} s, in which nothing can be written.").format(s=ERASE_S)
         elif view.differs:
             said = _(
                 "The list has changed, but what was written stays: a storage tube cannot erase a part. "
