@@ -12,7 +12,7 @@ import pytest
 from workbench.algorithms import catalogue
 from workbench.algorithms.entry import Entry
 from workbench.cli import traces
-from workbench.cli.failure import WorkError
+from workbench.cli.failure import BadInputError, WorkError
 from workbench.exchange.tables import to_csv, to_json, to_text
 
 ENTRIES = catalogue.entries()
@@ -58,3 +58,29 @@ def test_what_a_text_says_itself_ends_with_one_full_stop() -> None:
     arguments = (*entry.example[:5], np.array([]), *entry.example[6:])
     with pytest.raises(WorkError, match=r"A tube has seven numbers: [^.]*[^.]\.$"):
         traces.run(entry, arguments)
+
+
+@pytest.mark.parametrize(
+    ("slug", "name", "shape"),
+    [
+        ("scan_line_fill", "vertices", (3, 1)),
+        ("depth_buffer", "vertices", (6, 2)),
+        ("depth_sort", "vertices", (1, 3)),
+        ("octree", "colours", (0,)),
+        ("de_casteljau", "points", (4, 3)),
+        ("de_casteljau", "points", (4, 1)),
+    ],
+)
+def test_arrays_of_a_wrong_shape_are_told_beside_those_of_the_example(
+    slug: str, name: str, shape: tuple[int, ...]
+) -> None:
+    entry = catalogue.get(slug)
+    arguments = list(copy.deepcopy(entry.example))
+    index = entry.parameter_names.index(name)
+    arguments[index] = np.resize(arguments[index], shape)
+    right = entry.example[index].shape
+    with pytest.raises(BadInputError) as said:
+        traces.run(entry, tuple(arguments))
+    given, example = str(said.value).split("; in its example they are ")
+    assert f"{name} {' × '.join(map(str, shape))}" in given
+    assert f"{name} {' × '.join(map(str, right))}" in example
