@@ -77,7 +77,7 @@ def test_in_bands_the_picture_is_that_of_the_text(triangles: list[tuple[Place, .
 
 def test_a_triangle_of_a_single_row_is_drawn_in_whichever_band_that_lies() -> None:
     rows = np.arange(130)
-    flat = [[(0.0, y, 0.5), (4.0, y, 0.5), (0.0, y + 1.0, 0.5)] for y in rows]
+    flat = [[(0.0, y, 0.5), (4.0, y, 0.5), (0.0, y + 1.0, 0.5)] for y in range(130)]
     image, _depth = depth_buffer_triangles(
         np.reshape(flat, (-1, 3)), np.arange(390).reshape(-1, 3), rows + 1, (4, 130)
     )
