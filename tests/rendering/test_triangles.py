@@ -75,6 +75,15 @@ def test_in_bands_the_picture_is_that_of_the_text(triangles: list[tuple[Place, .
     assert depth.tobytes() == plain_depth.tobytes()
 
 
+def test_a_triangle_of_a_single_row_is_drawn_in_whichever_band_that_lies() -> None:
+    rows = np.arange(130)
+    flat = [[(0.0, y, 0.5), (4.0, y, 0.5), (0.0, y + 1.0, 0.5)] for y in range(130)]
+    image, _depth = depth_buffer_triangles(
+        np.reshape(flat, (-1, 3)), np.arange(390).reshape(-1, 3), rows + 1, (4, 130)
+    )
+    assert np.array_equal(image, np.repeat(rows[:, None] + 1, 4, axis=1))
+
+
 def test_a_tile_that_a_nearer_triangle_fills_is_left_out() -> None:
     """In front of everything stands one triangle: what is drawn behind it looks at no pixel of the tiles."""
     front = [(-100.0, -10.0, 0.1), (300.0, -10.0, 0.1), (100.0, 300.0, 0.1)]

@@ -45,6 +45,11 @@ def depth_buffer_tiles(
     farthest = np.full((height // ROWS + 1, width // COLUMNS + 1), np.inf)
     parts = np.zeros((1 + farthest.size, 4), np.int64)
     for face in range(len(faces)):
+        i, j, k = faces[face, 0], faces[face, 1], faces[face, 2]
+        y_i, y_j, y_k = float(vertices[i, 1]), float(vertices[j, 1]), float(vertices[k, 1])
+        # Before the corners are put in order, which costs most where the triangle is in another band
+        if max(y_i, y_j, y_k) <= low_row or min(y_i, y_j, y_k) > low_row + height - 1:
+            continue
         low, middle, high = corners_of(vertices, faces, face)
         first, end = max(math.ceil(low.y) - low_row, 0), min(math.ceil(high.y) - low_row, height)
         if first >= end:
