@@ -61,6 +61,12 @@ def test_the_closest_place_is_on_the_curve_and_as_far_as_the_distance(
         assert np.abs(np.hypot(*both.T) - away).min() <= 1e-9 * size
 
 
+@pytest.mark.parametrize("v", [0.25, 0.5, 0.75])
+def test_a_place_that_is_met_at_the_first_look_is_told_with_its_u(v: float) -> None:
+    pieces = Pieces(ONE, np.array([[[0, 0], [0, 5], [0, 6]]], float))
+    assert closest_place(pieces, piece_points(pieces, v)) == (v, 0.0)
+
+
 @settings(max_examples=25)
 @given(point_lists(4, 4), st.tuples(st.floats(-9, 9), st.floats(-9, 9)))
 def test_scipy_finds_nothing_closer(points: np.ndarray, place: tuple[float, float]) -> None:

@@ -14,6 +14,8 @@ from workbench.engine.recorder import record
 from workbench.engine.touches import touches
 
 ENTRIES = [pytest.param(entry, id=entry.slug) for entry in catalogue.entries()]
+# Among them texts with helpers, with lists, with a picture of their own and with records
+COMPILED = ("bresenham_line", "scan_line_fill", "boundary_fill_4", "depth_buffer")
 LINE = catalogue.get("bresenham_line").function
 
 
@@ -22,13 +24,24 @@ def test_lines_and_steps_are_those_that_the_tracer_sees(entry: catalogue.Entry) 
     recording = record(entry.function, *entry.example)
     names = [text.name for text in recording.texts]
     traced = Counter((names[code], line) for code, line in zip(recording.codes, recording.lines, strict=True))
-    found = counts(entry.function, *entry.example)
-    for place, runs in found.line_runs.items():
+    work = counts(entry.function, *entry.example, compiling=False)
+    for place, runs in work.line_runs.items():
         assert runs == traced[place], place
     steps = Steps(entry, recording)
     steps.update()
-    assert step_total(entry, *entry.example) == len(steps)
-    assert found.emitted == len(recording.emitted)
+    assert step_total(entry, *entry.example, compiling=False) == len(steps)
+    assert work.emitted == len(recording.emitted)
+
+
+@pytest.mark.parametrize("entry", [each for each in ENTRIES if each.id in COMPILED])
+def test_compiled_it_counts_the_same(entry: catalogue.Entry) -> None:
+    call = (entry.function, *entry.example)
+    assert counts(*call) == counts(*call, compiling=False)
+    assert step_total(entry, *entry.example) == step_total(entry, *entry.example, compiling=False)
+    x, y = (int(value) for value in record(*call).emitted[0][:2])
+    assert list(touches(entry.function, x, y, *entry.example)) == list(
+        touches(entry.function, x, y, *entry.example, compiling=False)
+    )
 
 
 @given(width=st.integers(-2, 5), height=st.integers(-1, 6))
@@ -70,9 +83,8 @@ def test_a_touch_names_the_step_whose_span_emits_it(entry: catalogue.Entry) -> N
     emissions = list(recording.emitted)
     for number in (0, len(emissions) // 2, len(emissions) - 1):
         x, y = (int(value) for value in emissions[number][:2])
-        found = {
-            one.emission: one.step for one in touches(entry.function, x, y, *entry.example) if one.emitted
-        }
+        touched = touches(entry.function, x, y, *entry.example, compiling=False)
+        found = {one.emission: one.step for one in touched if one.emitted}
         assert number in found
         for emission, step in found.items():
             reached = [

@@ -9,6 +9,9 @@ from typing import Any, NamedTuple
 
 from numpy.typing import NDArray
 
+# Weights this many times as heavy as others on the same part hold the curve fast
+UNEVEN = 1e6
+
 
 def box_distance(points: NDArray[Any], first: int, degree: int, x: float, y: float) -> float:
     """The distance of (x, y) from the box around the control points of the piece that begins at ``first``."""
@@ -58,11 +61,15 @@ def whole_piece(
 
 
 def outlook(part: Part) -> tuple[float, bool]:
-    """A bound for the distance, which it is nowhere less than, and whether it has one minimum only."""
+    """A bound for the distance, which it is nowhere less than, and whether it has one minimum only.
+
+    Beside heavy weights the curve all but stands still, and to a search both sides look alike: then that is
+    not said.
+    """
     last = part.above[0] / part.below[0]
     least = last
     grows = False
-    valley = True
+    valley = max(part.below) <= UNEVEN * min(part.below)
     for k in range(1, len(part.above)):
         quotient = part.above[k] / part.below[k]
         least = min(least, quotient)

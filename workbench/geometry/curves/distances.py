@@ -54,16 +54,20 @@ def _valleys(
     pieces: Pieces, points: Array, best: Array
 ) -> tuple[NDArray[np.intp], NDArray[np.intp], Array, Array]:
     """Where the curve runs across the line to a point, unless that is surely farther than its ``best`` (n,),
-    which is lowered: rows of points, pieces, v within these, and how far (r,)."""
+    and what lowered that one: rows of points, pieces, v within these, and how far (r,)."""
     _knots, controls, weights = pieces
     beside = _squares(points, controls.min(axis=1), controls.max(axis=1))
     row, piece = np.nonzero(beside < (best * best)[:, None])
+    nearest = []
     # Three points of each of these pieces leave few of them, and the least coefficient of the distance fewer
     for part in (0.5, 0.25, 0.75):
         some, at = np.unique(piece, return_inverse=True)
         own = None if weights is None else weights[some]
         middle = local_derivatives(controls[some], own, np.full(len(some), part), 0)[0]
-        np.minimum.at(best, row, lengths(middle[at] - points[row]))
+        away = lengths(middle[at] - points[row])
+        lower = away < best[row]
+        np.minimum.at(best, row, away)
+        nearest.append((row[lower], piece[lower], np.full(lower.sum(), part), away[lower]))
         near = beside[row, piece] < best[row] ** 2
         row, piece = row[near], piece[near]
     pulls = None if weights is None else weights[piece]
@@ -72,7 +76,9 @@ def _valleys(
     crossed, v = _across(controls[piece] - points[row, None], pulls)
     own = None if pulls is None else pulls[crossed]
     places = local_derivatives(controls[piece[crossed]], own, v, 0)[0]
-    return row[crossed], piece[crossed], v, lengths(places - points[row[crossed]])
+    nearest.append((row[crossed], piece[crossed], v, lengths(places - points[row[crossed]])))
+    rows, in_pieces, at_v, gaps = (np.concatenate(column) for column in zip(*nearest, strict=True))
+    return rows, in_pieces, at_v, gaps
 
 
 def _least_squares(controls: Array, weights: Array | None) -> Array:
