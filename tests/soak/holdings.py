@@ -16,6 +16,7 @@ from PySide6.QtWidgets import QApplication
 
 from workbench.document.weight import weight
 
+_Cache = type(functools.cache(len))
 _LIBC = ctypes.CDLL(None) if sys.platform == "linux" else None
 _TRIM = getattr(_LIBC, "malloc_trim", None)
 _ALLOCATED = getattr(_LIBC, "mallinfo2", None)
@@ -45,7 +46,7 @@ class Holdings:
     allocated: float  # by the C library, in use
     arenas: float  # of the C library, in use or not
     blocks: int  # thousands, of Python
-    objects: int  # thousands, of Python, that can hold others
+    objects: int  # thousands, of Python, that can hold others and are not frozen
     widgets: int
     kernels: int
     kept: int  # results in all the caches of functions
@@ -72,25 +73,34 @@ def holdings() -> Holdings:
     with open("/proc/self/statm") as numbers:
         _size, resident, of_files, *_rest = map(int, numbers.read().split())
     info = _ALLOCATED() if _ALLOCATED is not None else _Mallinfo()
-    objects = gc.get_objects()
-    # By its own type, as a weak proxy may stand for what is gone
-    caches = [each for each in objects if type(each) is functools._lru_cache_wrapper]
+    # By name, as what is loaded at the beginning is hidden from the collector
+    modules = [vars(module) for name, module in list(sys.modules.items()) if name.startswith("workbench.")]
+    caches = {id(c): c for names in modules for c in names.values() if type(c) is _Cache}
     return Holdings(
         (resident - of_files) * os.sysconf("SC_PAGESIZE") / 1e6,
         (info.uordblks + info.hblkhd) / 1e6,
         (info.arena + info.hblkhd) / 1e6,
         sys.getallocatedblocks() // 1000,
-        len(objects) // 1000,
+        len(gc.get_objects()) // 1000,
         len(QApplication.allWidgets()),
-        _kernels(objects),
-        sum(cache.cache_info().currsize for cache in caches),
+        _kernels(),
+        sum(cache.cache_info().currsize for cache in caches.values()),
         sum(each._bytes for each in memory._memories) / 1e6,
     )
 
 
-def _kernels(objects: list[Any]) -> int:
-    if "numba" not in sys.modules:
-        return 0
-    from numba.core.dispatcher import Dispatcher
+def _kernels() -> int:
+    """How many compiled readings, one for each kind of arguments, are in memory."""
+    from workbench.engine import compiled
 
-    return sum(len(each.overloads) for each in objects if issubclass(type(each), Dispatcher))
+    kernels = [
+        each
+        for kept in gc.get_referents(compiled._kernel)
+        if isinstance(kept, dict)
+        for each in kept.values()
+        if isinstance(each, compiled.Kernel)
+    ]
+    drivers = [
+        value for each in kernels if True in each.modules for value in vars(each.modules[True]).values()
+    ]
+    return sum(len(driver.overloads) for driver in drivers if hasattr(driver, "overloads"))
