@@ -16,9 +16,7 @@ times less. The median of the marks at 8,000 to 12,000 events is compared with t
 """
 
 import argparse
-import ctypes
 import faulthandler
-import gc
 import logging
 import os
 import sys
@@ -39,6 +37,7 @@ from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox
 
 from tests.soak.events import KINDS, page, workspace
 from tests.soak.hand import Hand
+from tests.soak.holdings import edited, holdings
 from workbench.shell.workspaces import workspaces
 
 MARK, SETTLED, LAST = 1_000, (8, 12), (16, 20)  # marks, the first is 1
@@ -52,7 +51,6 @@ EXPECTED = (
 _REST_MS, _POPUP_MS = 400, 40
 _DEEPEST = 5
 _MORE = 3  # as often is a workspace gone to that events keep to
-_TRIM = getattr(ctypes.CDLL(None), "malloc_trim", None) if sys.platform == "linux" else None
 
 
 class Faults:
@@ -151,7 +149,10 @@ class Monkey(QObject):
         print(said, file=self._log, flush=True)
         self._done += 1
         if self._done % MARK == 0:
-            self._measure()
+            try:
+                self._measure()
+            except Exception:
+                self.faults.said.append(traceback.format_exc())
         QTimer.singleShot(rng.choice((0, 0, 0, 0, 5, 30)), self._next)
 
     def _tell(self, text: str) -> None:
@@ -159,23 +160,20 @@ class Monkey(QObject):
 
     def _measure(self) -> None:
         """The memory of the process at rest."""
+        faulthandler.dump_traceback_later(LONGEST_S * len(workspaces()), exit=True)
         for _nested in range(_DEEPEST):
             before = QApplication.activePopupWidget() or QApplication.activeModalWidget()
             if before is not None:
                 before.close()
+        weights = edited(self._window.session)
         self._window.session.new()
         self._window.resize(*SIZE)
         for each in (*workspaces(), workspaces()[0]):  # each keeps what it showed until it is entered
             self._window.go(each.slug)
             QTest.qWait(_REST_MS)
-        for _again in range(3):
-            gc.collect()
-        if _TRIM is not None:
-            _TRIM(0)
-        with open("/proc/self/statm") as numbers:
-            _size, resident, of_files, *_rest = map(int, numbers.read().split())
-        self.megabytes.append((resident - of_files) * os.sysconf("SC_PAGESIZE") / 1e6)
-        print(f"# {self._done} events, {self.megabytes[-1]:.1f} MB", file=self._log, flush=True)
+        held = holdings()
+        self.megabytes.append(held.resident)
+        print(f"# {self._done} events, {held.resident:.1f} MB; {held}; {weights}", file=self._log, flush=True)
 
     def _finish(self) -> None:
         before, after = settled(self.megabytes)

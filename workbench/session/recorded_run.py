@@ -11,6 +11,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 from workbench.algorithms.entry import Entry
 from workbench.document.subjects import Subject
 from workbench.engine import compiled, counts
+from workbench.engine.containers import same
 from workbench.engine.observation import Steps
 from workbench.engine.recorder import LIMIT, Recorder
 from workbench.engine.recording import Recording
@@ -20,7 +21,6 @@ from workbench.rendering.mapping import Call
 from workbench.rendering.subjects.registry import kind_of
 from workbench.session.answers import Answers
 from workbench.session.going_first import go_first
-from workbench.session.variables import same_value
 
 DEPTH_LIMIT = 1000
 _LOOK_MS = 16
@@ -310,5 +310,5 @@ def _first_run(calls: Sequence[Call]) -> tuple[tuple[Any, ...], ...]:
 
 def _equal(a: Sequence[tuple[Any, ...]], b: Sequence[tuple[Any, ...]]) -> bool:
     return len(a) == len(b) and all(
-        len(x) == len(y) and all(map(same_value, x, y)) for x, y in zip(a, b, strict=True)
+        len(x) == len(y) and all(map(same, x, y)) for x, y in zip(a, b, strict=True)
     )

@@ -2,8 +2,7 @@
 
 from typing import Any
 
-import numpy as np
-
+from workbench.engine.containers import same
 from workbench.engine.recording import Moment, Recording
 
 
@@ -19,12 +18,5 @@ def differing(before: Moment, now: Moment | None) -> frozenset[str]:
     if now is None or before.depth != now.depth:
         return frozenset()
     return frozenset(
-        name for name, value in now.variables.items() if not same_value(before.variables.get(name), value)
+        name for name, value in now.variables.items() if not same(before.variables.get(name), value)
     )
-
-
-def same_value(a: object, b: object) -> bool:
-    """Equality of two values of a variable, arrays included."""
-    if isinstance(a, np.ndarray) or isinstance(b, np.ndarray):
-        return isinstance(a, np.ndarray) and isinstance(b, np.ndarray) and np.array_equal(a, b)
-    return type(a) is type(b) and bool(a == b)

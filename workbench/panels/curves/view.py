@@ -5,6 +5,7 @@ import time
 import numpy as np
 
 from workbench.document.model import Curve, CurvePoint, Sheet
+from workbench.engine.containers import same
 from workbench.geometry.conventions import round_half_up
 from workbench.panels.curves.card import CurveCard
 from workbench.panels.curves.docks import CurveDocks
@@ -35,7 +36,6 @@ from workbench.panels.stage.view import FigureView
 from workbench.rendering import emitted, figure_map
 from workbench.rendering.curve_runs import construction_of, constructions_of, curve_calls
 from workbench.rendering.marks import on_device
-from workbench.session.variables import same_value
 from workbench.widgets.canvas.drawing import Drawn, Marker, PenStroke, data_ink
 from workbench.widgets.canvas.overlay import Cell, GripShape, Handle, Overlay
 from workbench.widgets.canvas.pixel_canvas import PixelCanvas
@@ -186,7 +186,7 @@ class CurveView(FigureView):
         everything = emitted(calls[0])
         if reached is None or run is None:
             marks = entry.marks(arguments, {}, everything, True)
-        elif run.entry is entry and all(map(same_value, arguments, run.arguments)):
+        elif run.entry is entry and all(map(same, arguments, run.arguments)):
             marks = run.marks(number)
         else:
             marks = entry.marks(arguments, {}, everything[: len(reached.emitted)], False)

@@ -7,11 +7,10 @@ from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelInd
 from PySide6.QtGui import QFontMetrics
 from PySide6.QtWidgets import QHeaderView, QTableView, QVBoxLayout, QWidget
 
-from workbench.engine.containers import LeftOut
+from workbench.engine.containers import LeftOut, same
 from workbench.exchange.tables import shown
 from workbench.language import _, ngettext
 from workbench.session.run import Run
-from workbench.session.variables import same_value
 from workbench.widgets.look.empty_state import EmptyState
 from workbench.widgets.look.tokens import colour, theme, tokens
 from workbench.widgets.look.type_faces import cell_font
@@ -59,7 +58,7 @@ class VariableModel(QAbstractTableModel):
         before, marked = self.values, self.changed_names
         self.values, self.changed_names = values, changed
         for row, name in enumerate(self.names):
-            if name in marked | changed or not same_value(before[name], values[name]):
+            if name in marked | changed or not same(before[name], values[name]):
                 self.dataChanged.emit(self.index(row, 0), self.index(row, 1))
 
     def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008
