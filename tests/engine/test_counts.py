@@ -15,7 +15,7 @@ from workbench.engine.touches import touches
 
 ENTRIES = [pytest.param(entry, id=entry.slug) for entry in catalogue.entries()]
 # Among them texts with helpers, with lists, with a picture of their own and with records
-COMPILED = ("bresenham_line", "scan_line_fill", "boundary_fill_4", "depth_buffer")
+COMPILED = ("bresenham_line", "scan_line_crossings", "boundary_fill_4", "depth_buffer")
 LINE = catalogue.get("bresenham_line").function
 
 
