@@ -78,7 +78,7 @@ def _threads() -> Iterator[None]:
     yield
     background = sys.modules.get("workbench.engine.background")
     if background is not None:
-        assert background.end_all()
+        assert background.end_all(60.0)  # what is being compiled cannot be stopped
 
 
 def pytest_collection_finish() -> None:

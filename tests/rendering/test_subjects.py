@@ -14,6 +14,7 @@ from workbench.document.edits import set_algorithm, set_clipper
 from workbench.document.model import Curve, Sheet
 from workbench.document.samples.examples import example, examples
 from workbench.document.subjects import Subject
+from workbench.engine.containers import same
 from workbench.rendering import clipper_calls, figure_calls, subjects
 from workbench.rendering.comparing import figure_pixels
 from workbench.rendering.curve_runs import curve_calls
@@ -28,7 +29,6 @@ from workbench.rendering.subjects.registry import (
     own_entry,
     rivals,
 )
-from workbench.session.variables import same_value
 
 PACKAGE = Path(__file__).resolve().parents[2] / "workbench"
 KINDS = sorted({module.name for module in pkgutil.iter_modules(subjects.__path__)} - {"registry"})
@@ -42,7 +42,7 @@ def same_calls(ours: list, theirs: list) -> bool:
     return len(ours) == len(theirs) and all(
         one.entry is other.entry
         and one.recursion_limit == other.recursion_limit
-        and all(map(same_value, one.arguments, other.arguments))
+        and all(map(same, one.arguments, other.arguments))
         for one, other in zip(ours, theirs, strict=True)
     )
 
