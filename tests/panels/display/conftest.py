@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 import pytest
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.panels.by_hand import keep_until_the_end
@@ -12,7 +12,7 @@ from workbench.session.session import Session
 
 
 @pytest.fixture
-def session(request: pytest.FixtureRequest) -> Iterator[Session]:
+def session(request: pytest.FixtureRequest, qapp: QApplication) -> Iterator[Session]:
     """With the example that the module calls ``EXAMPLE``, or the house of lines."""
     made = Session()
     made.open_example(getattr(request.module, "EXAMPLE", "house"))
