@@ -1,5 +1,6 @@
 """A stretch of a run, recorded from a chosen step on, is that stretch of the whole recording."""
 
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -24,16 +25,24 @@ def example(entry: Entry) -> tuple[Any, ...]:
     return tuple(value.copy() if isinstance(value, np.ndarray) else value for value in values)
 
 
+@lru_cache(maxsize=1)
+def whole_run(slug: str) -> Recording:
+    """The recording of an entry's example, once for all stretches of it."""
+    entry = catalogue.get(slug)
+    return record(entry.function, *example(entry))
+
+
 def both(entry: Entry, passed: int, limit: int = 1_000_000) -> tuple[Recording, Recording]:
-    whole = record(entry.function, *example(entry))
-    return whole, record(entry.function, *example(entry), skip=skip(entry, passed), limit=limit)
+    return whole_run(entry.slug), record(
+        entry.function, *example(entry), skip=skip(entry, passed), limit=limit
+    )
 
 
 @pytest.mark.parametrize("entry", ENTRIES, ids=lambda entry: entry.slug)
 @settings(max_examples=12)
 @given(data=st.data())
 def test_a_stretch_is_the_whole_from_there(entry: Entry, data: st.DataObject) -> None:
-    whole = record(entry.function, *example(entry))
+    whole = whole_run(entry.slug)
     steps = Steps(entry, whole)
     passed = data.draw(st.integers(1, max(len(steps) - 1, 1)))
     stretch = record(entry.function, *example(entry), skip=skip(entry, passed))

@@ -37,7 +37,7 @@ def painted_by_the_text(
 
 
 @given(rings=st.lists(ring, min_size=1, max_size=3), closed=st.booleans(), nonzero=st.booleans())
-@settings(max_examples=300)
+@settings(max_examples=150)
 def test_it_paints_the_pixels_of_the_text(
     rings: list[list[tuple[int, int]]], closed: bool, nonzero: bool
 ) -> None:

@@ -15,19 +15,28 @@ from workbench.rendering.subjects.shading import call_of, lighting_of
 
 def page_of(shading: str, slug: str, at: int, **arguments: object):
     """The lines of the page of a pixel, and the light that the picture has there."""
+    (page,) = pages_of(shading, slug, (at,), **arguments)
+    return page
+
+
+def pages_of(shading: str, slug: str, places: tuple[int, ...], **arguments: object):
+    """The same for several pixels of one picture, by their numbers among what is emitted."""
     sheet = example(slug).document.sheets[0]
     subject = Subject("shading", entry=shading, arguments={"columns": 16, **arguments})
     call = call_of(sheet, subject)
     assert call is not None
     rows = np.array(emitted(call))
-    x, y, _light = rows[at % len(rows)]
-    last = rows[(rows[:, 0] == x) & (rows[:, 1] == y)][-1, 2]
     names = tuple(each.name for each in sheet.scene.lights)
     lighting = lighting_of(sheet, subject)
     assert lighting is not None
-    page = derivation(lighting, shading, int(x), int(y), names, float(last))
-    assert page is not None
-    return [block.text for block in page.blocks if isinstance(block, Sentence)], float(last)
+    pages = []
+    for at in places:
+        x, y, _light = rows[at % len(rows)]
+        last = rows[(rows[:, 0] == x) & (rows[:, 1] == y)][-1, 2]
+        page = derivation(lighting, shading, int(x), int(y), names, float(last))
+        assert page is not None
+        pages.append(([block.text for block in page.blocks if isinstance(block, Sentence)], float(last)))
+    return pages
 
 
 def last_number(line: str) -> float:
@@ -38,8 +47,7 @@ def last_number(line: str) -> float:
 @pytest.mark.parametrize("shading", ["flat_shading", "gouraud", "phong"])
 def test_the_sum_is_the_light_of_the_picture(shading: str, arguments: dict[str, object]) -> None:
     for slug in ("shading-ball", "shading-lamps"):
-        for at in (7, 40, -1):
-            lines, light = page_of(shading, slug, at, **arguments)
+        for lines, light in pages_of(shading, slug, (7, 40, -1), **arguments):
             totals = [line for line in lines if line.startswith("$I = ") and "Σ" not in line]
             assert len(totals) == (3 if shading == "gouraud" else 1)
             for line in totals:
