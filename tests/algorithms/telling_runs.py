@@ -16,6 +16,8 @@ STEEP_LEFTWARDS = (4, 9, 1, 3)  # dx = -3, dy = -6: every second choice is a tie
 WINDOW = (0.0, 0.0, 30.0, 20.0)
 BOWL = np.array([[1, 1, 1, 1, 1], [1, 0, 1, 0, 1], [1, 0, 0, 0, 1], [1, 0, 1, 0, 1], [1, 1, 1, 1, 1]])
 WIDENING = np.array([[0, 0, 0, 0, 0, 0], [1, 1, 0, 1, 1, 0], [1, 0, 0, 0, 1, 0], [1, 1, 1, 1, 1, 0]])
+CORNER = np.array([[0, 1], [1, 2]])
+CUP = np.array([[0, 0, 0], [1, 2, 1]])
 LETTER_M = np.array([[1.0, 1], [9, 1], [9, 7], [7, 7], [5, 3], [3, 7], [1, 7]])
 STAR = np.array([[1.0, 5], [9, 5], [2, 0], [5, 8], [8, 0]])
 SLIVER = np.array([[1.3, 1.0], [1.7, 1.0], [1.5, 4.0]])
@@ -87,6 +89,10 @@ def _beam(number: int, value: object) -> Run:
     )
 
 
+# In the picture's corner, outside it, and on what is filled already
+_CORNERED = tuple((CORNER, x, y, 2, 1) for x, y in ((0, 0), (-1, 0), (1, 1)))
+_CORNER_FLOODED = tuple((CORNER, x, 0, 3) for x in (0, -1))
+
 FURTHER: dict[str, tuple[Run, ...]] = {
     "electron_beam": (
         _beam(0, -60.0),
@@ -154,11 +160,12 @@ FURTHER: dict[str, tuple[Run, ...]] = {
         _filled(SLIVER, False, False),
     ),
     "ellipse_fill": ((9, 9, 1, 6),),
-    "boundary_fill_4": ((BOWL, 0, 0, 2, 1),),
-    "boundary_fill_8": ((BOWL, 0, 0, 2, 1),),
-    "flood_fill_4": ((BOWL, 1, 1, 0),),
-    "flood_fill_8": ((BOWL, 1, 1, 0),),
-    "boundary_fill_spans": ((BOWL, 0, 0, 2, 1), (WIDENING, 2, 2, 2, 1)),
+    "boundary_fill_recursive": ((CORNER, 0, 0, 2, 1),),
+    "boundary_fill_4": ((BOWL, 0, 0, 2, 1), *_CORNERED),
+    "boundary_fill_8": ((BOWL, 0, 0, 2, 1), *_CORNERED),
+    "flood_fill_4": ((BOWL, 1, 1, 0), *_CORNER_FLOODED),
+    "flood_fill_8": ((BOWL, 1, 1, 0), *_CORNER_FLOODED),
+    "boundary_fill_spans": ((BOWL, 0, 0, 2, 1), (WIDENING, 2, 2, 2, 1), (CUP, 1, 0, 2, 1), *_CORNERED[1:]),
     "clip_point": ((31.0, 5.0, *WINDOW), (5.0, -1.0, *WINDOW)),
     "cohen_sutherland": (
         (-5.0, -1.0, -2.0, 9.0, *WINDOW),
@@ -188,7 +195,7 @@ FURTHER: dict[str, tuple[Run, ...]] = {
     "b_spline_curve": (
         (np.array([[1.0, 1], [2, 5], [5, 6], [7, 2], [10, 1]]), np.array([0.0, 0, 0, 1, 1, 2, 2, 2]), 2, 5),
     ),
-    "closest_point": ((np.array([0.0, 1, 2]), LOOPED, np.ones(8), 3, 4.0, 3.5),),
+    "closest_point": tuple((np.array([0.0, 1, 2]), LOOPED, np.ones(8), 3, x, 3.5) for x in (4.0, 3.5)),
     "raster_scan": ((np.array([[0, 9], [9, 0], [9, 9]]), np.array([0]), 1, 2, 2, 4.0, 6.0),),
     "random_scan": ((*catalogue.get("random_scan").example[:-1], 10.0),),
     "beam_spot": ((1.0, 1.0, 3.0, 2.0, 1.0, 0.4),),

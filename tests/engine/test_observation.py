@@ -258,6 +258,15 @@ def test_a_sentence_links_variables_and_pixels() -> None:
     )
 
 
+@pytest.mark.parametrize("operator", [" + ", " − ", " · ", "/"])
+def test_a_negative_number_after_an_operator_stands_in_brackets(operator: str) -> None:
+    parts = fill_in(
+        f"{{y}}{operator}{{y}} = {{x}}{operator}{{point}}", {"x": 2, "y": -5, "point": (-1, 2)}.get
+    )
+    assert "".join(part.text for part in parts) == f"−5{operator}(−5) = 2{operator}(−1, 2)"
+    assert parts[2].link == ("variable", "y")
+
+
 def test_numbers_are_shown_as_people_write_them() -> None:
     shown = [number_text(value) for value in (12, -3, 10.800000000000001, -0.0, 1 / 3, np.float32(10.8))]
     assert shown == ["12", "−3", "10.8", "0", "0.3333", "10.8"]

@@ -77,6 +77,7 @@ def test_table_without_rows_has_its_headings() -> None:
         ("p_{20}", "p₂₀", "p_20"),
         ("2Δy", "2Δy", "2Δy"),
         ("2r_x^2", "2rₓ²", "2r_x^2"),
+        ("d_{i-1}^{r-1}", "dᵢ₋₁ʳ⁻¹", "d_i-1^r-1"),
         ("x_{Q}", "x_Q", "x_Q"),
         ("a_{k?}", "a_k?", "a_k?"),
     ],

@@ -9,6 +9,7 @@ from workbench.algorithms.numerals import numeral
 
 Link = tuple[Literal["variable"], str] | tuple[Literal["pixel"], tuple[int, int]]
 
+_OPERATORS = ("+", "−", "·", "×", "/")
 _NAME = re.compile(r"(?:before\.)?([^\W\d]\w*)")
 
 
@@ -22,7 +23,8 @@ class Part(NamedTuple):
 def fill_in(template: str, value: Callable[[str], Any]) -> tuple[Part, ...]:
     """The pieces of ``template``, each ``{expression}`` replaced by what ``value`` makes of it.
 
-    A name becomes a link to that variable, a pair of whole numbers one to that pixel.
+    A name becomes a link to that variable, a pair of whole numbers one to that pixel. A negative number after
+    an operator stands in brackets: 0 − (−5).
     """
     parts: list[Part] = []
     for text, expression, _, _ in string.Formatter().parse(template):
@@ -30,8 +32,12 @@ def fill_in(template: str, value: Callable[[str], Any]) -> tuple[Part, ...]:
             parts.append(Part(text, None))
         if expression is not None:
             result = value(expression)
-            parts.append(Part(number_text(result), _link(expression, result)))
+            parts.append(Part(_operand(text, number_text(result)), _link(expression, result)))
     return tuple(parts)
+
+
+def _operand(before: str, number: str) -> str:
+    return f"({number})" if number.startswith("−") and before.rstrip().endswith(_OPERATORS) else number
 
 
 def joined(sentences: Iterable[Sequence[Part]]) -> Iterator[Part]:

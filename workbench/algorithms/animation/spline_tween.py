@@ -145,13 +145,13 @@ ENTRY = Entry(
     views=(
         View(
             block="Take the slopes of the straight lines between the keys",
-            sentence="{n} keys, and {n - 1} straight lines between them, whose slopes are by frame.",
+            sentence="{n} keys, and {n - 1} straight lines between them, whose slopes are per frame.",
         ),
         View(
             block=_SLOPES,
             tables=_TABLES,
-            sentence="Key {k}, frame {frames[k]}: slope {to_key} before it, which counts {share}, and {on} "
-            "after; the value comes with {arrive} and leaves with {leave} by frame.",
+            sentence="Key {k}, frame {frames[k]}: the slope is {to_key} per frame before it, which counts "
+            "{share}, and {on} after; the value arrives with slope {arrive} and leaves with slope {leave}.",
         ),
         View(
             block=_BLEND,

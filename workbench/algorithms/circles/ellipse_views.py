@@ -39,8 +39,8 @@ VIEWS = (
         chosen=_HERE,
         rejected="((xc + x, yc + before.y),)",
         row=_ROW_1,
-        sentence="p1 = {before.p} is not negative: take SE, ({x}, {y}) from the centre. "
-        "Next p1 = {before.p} + {px} − {py} + {ry2} = {p}.",
+        sentence="p1 = {before.p} is not negative: the midpoint is not inside, take SE, ({x}, {y}) "
+        "from the centre. Next p1 = {before.p} + {px} − {py} + {ry2} = {p}.",
     ),
     View(
         block="Change to region 2",
@@ -70,8 +70,8 @@ VIEWS = (
         chosen=_HERE,
         rejected="((xc + before.x, yc + y),)",
         row=_ROW_2,
-        sentence="p2 = {before.p} is not positive: take SE, ({x}, {y}) from the centre. "
-        "Next p2 = {before.p} + {px} − {py} + {rx2} = {p}.",
+        sentence="p2 = {before.p} is not positive: the midpoint is not outside, take SE, ({x}, {y}) "
+        "from the centre. Next p2 = {before.p} + {px} − {py} + {rx2} = {p}.",
     ),
     View(
         block="Finish the tip of a flat ellipse",

@@ -93,9 +93,15 @@ ENTRY = Entry(
         ),
         View(
             block="Drop the duplicates",
+            when="new == 0",
+            sentence="None of the eight mirror images of ({x}, {y}) is new: past the diagonal they have been "
+            "plotted already.",
+        ),
+        View(
+            block="Drop the duplicates",
             when="new < 8",
-            sentence="Of the eight mirror images of ({x}, {y}) only {new} are new: on an axis, on the "
-            "diagonal and past it mirror images coincide.",
+            sentence="Of the eight mirror images of ({x}, {y}) only {new} {'is' if new == 1 else 'are'} new: "
+            "on an axis and on the diagonal mirror images coincide.",
         ),
         View(
             block="Choose E or SE",

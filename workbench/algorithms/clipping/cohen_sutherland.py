@@ -84,7 +84,8 @@ def _clip_view(edge: int, beyond: str) -> View:
         tables=_ENDS,
         options=_OPTIONS,
         answer=repr(decision),
-        sentence=f"{_BOTH}: or is {{bits(before.code_0 | before.code_1)}}, and is 0000, so neither. "
+        sentence=f"{_BOTH}: or is {{bits(before.code_0 | before.code_1)}}, and is 0000, so neither accept "
+        "nor reject. "
         f"{{'P0' if before.code_0 else 'P1'}} {{{_END}}} is {beyond}: cut it off at {{{_CUT}}}, code "
         "{bits(code_0 if before.code_0 else code_1)}.",
     )

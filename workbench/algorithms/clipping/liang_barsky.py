@@ -108,7 +108,8 @@ ENTRY = Entry(
         _edge_view(
             "u1 > u2",
             "reject",
-            "p = {p}, r = {q}/{p} = {r}: the line would leave at {u2} before it enters at {u1}: reject it.",
+            "p = {p}, r = {q}/{p} = {r}: the line would leave at {u2}, before it enters at {u1}, so "
+            "reject it.",
         ),
         _edge_view(
             "p < 0.0 and u1 > before.u1",

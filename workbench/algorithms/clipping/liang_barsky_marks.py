@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from workbench.algorithms.clipping.window_marks import edge_mark
 from workbench.algorithms.marks import Mark, Spot, Stroke, Word, along
+from workbench.algorithms.numerals import numeral
 
 
 def marks(
@@ -33,7 +34,7 @@ def marks(
     for name, u, side in (("u₁", u1, -1), ("u₂", u2, 1)):
         if _near(u):
             yield Spot(*at(u), "data1", "ring")
-            yield Word(f"{name} = {u:.3g}", *at(u), "text", side if x1 >= x0 else -side, 1, True)
+            yield Word(f"{name} = {numeral(u)}", *at(u), "text", side if x1 >= x0 else -side, 1, True)
 
 
 def _near(u: float) -> bool:

@@ -73,9 +73,34 @@ def b_spline_sum(
 _RISING = "Add the term of B_{k,d-1}"
 _FALLING = "Add the term of B_{k+1,d-1}"
 _TERM = "Add a control point times its function"
+_LAST = "not any(blending[k + 1 : n + 1])"
 _TABLES = {
     "Blending functions": ("blending_rows(lower, blending, t)", ("k", "t_k", "B_{k,d-1}", "B_{k,d}")),
 }
+
+
+def _falling(when: str, added: str) -> View:
+    return View(
+        block=_FALLING,
+        when=when,
+        row="(d, k, factor, lower[k + 1], factor * lower[k + 1], blending[k])",
+        tables=_TABLES,
+        sentence="Order {d}: ({t[k + d]} − {u}) / ({t[k + d]} − {t[k + 1]}) = {factor}, times "
+        f"B_{{k + 1}},{{d - 1}} = {{lower[k + 1]}}: {added}B_{{k}},{{d}} = {{blending[k]}}.",
+    )
+
+
+def _term(when: str, end: str) -> View:
+    sentence = "Add {blending[k]} times P_{k} = {(x_k, y_k)}: the sum is {(x, y)}."
+    return View(
+        block=_TERM,
+        when=when,
+        row="('sum', k, blending[k], (x_k, y_k), (x_k * blending[k], y_k * blending[k]), (x, y))",
+        marks=f"term_marks((x_k, y_k), (x, y), {_LAST})",
+        tables=_TABLES,
+        sentence=f"{sentence} {end}".rstrip(),
+    )
+
 
 ENTRY = Entry(
     function=b_spline_sum,
@@ -107,20 +132,10 @@ ENTRY = Entry(
             sentence="Order {d}: ({u} − {t[k]}) / ({t[k + d - 1]} − {t[k]}) = {factor}, times "
             "B_{k},{d - 1} = {lower[k]}: B_{k},{d} = {blending[k]} so far.",
         ),
-        View(
-            block=_FALLING,
-            row="(d, k, factor, lower[k + 1], factor * lower[k + 1], blending[k])",
-            tables=_TABLES,
-            sentence="Order {d}: ({t[k + d]} − {u}) / ({t[k + d]} − {t[k + 1]}) = {factor}, times "
-            "B_{k + 1},{d - 1} = {lower[k + 1]}: B_{k},{d} = {blending[k]}.",
-        ),
-        View(
-            block=_TERM,
-            row="('sum', k, blending[k], (x_k, y_k), (x_k * blending[k], y_k * blending[k]), (x, y))",
-            marks="term_marks((x_k, y_k), (x, y), not any(blending[k + 1 : n + 1]))",
-            tables=_TABLES,
-            sentence="Add {blending[k]} times P_{k} = {(x_k, y_k)}: the sum is {(x, y)}.",
-        ),
+        _falling("lower[k] == 0", ""),
+        _falling("True", "{factor * lower[k + 1]}; with {before.blending[k]} so far, "),
+        _term(_LAST, "That was the last one that counts, so the sum is the point of the curve."),
+        _term("True", ""),
     ),
     laws=(
         Law(

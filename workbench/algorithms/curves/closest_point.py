@@ -77,6 +77,7 @@ def closest_point(
 
 
 _BOX, _PART = "Can this piece be closer?", "Can this part be closer?"
+_BOTTOM = "Go down to its minimum"
 _ROW = "(j, begin, end, bound, best, 'skip' if hopeless else 'divide' if divided else 'search')"
 _OPTIONS = "('skip', 'divide', 'search')"
 _FROM = "The part of piece {j} from {begin} to {end} is nowhere closer than {bound}"
@@ -97,6 +98,11 @@ ENTRY = Entry(
     emitted_columns=("u", "x", "y", "distance"),
     columns=("piece", "from", "to", "bound", "best", "then"),
     views=(
+        View(
+            block="Begin with the closest end of a piece",
+            sentence="The end of a piece closest to {(x, y)} is {(best_x, best_y)}, at u = {best_u}: its "
+            "distance is {best}.",
+        ),
         View(
             block=_BOX,
             when="searched",
@@ -129,6 +135,16 @@ ENTRY = Entry(
             options=_OPTIONS,
             answer="'search'",
             sentence=_FROM + ", less than {best}, and has one minimum: search for it.",
+        ),
+        View(
+            block=_BOTTOM,
+            when="distance < before.best",
+            sentence="The search ends at {(at_x, at_y)}, at u = {best_u}: its distance, {distance}, is the "
+            "least so far.",
+        ),
+        View(
+            block=_BOTTOM,
+            sentence="The search ends at {(at_x, at_y)}: its distance, {distance}, is no less than {best}.",
         ),
     ),
     laws=(

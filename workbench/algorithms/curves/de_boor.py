@@ -105,8 +105,8 @@ ENTRY = Entry(
             row=_ROW,
             marks=_MARKS,
             tables=_TABLES,
-            sentence="α = {alpha}: (1 − α) {(x0, y0)} + α {(x1, y1)} = {(x, y)}. One point is left, and "
-            "it is on the curve.",
+            sentence="α = ({u} − {left}) / ({right} − {left}) = {alpha}: "
+            "(1 − α) {(x0, y0)} + α {(x1, y1)} = {(x, y)}. One point is left, and it is on the curve.",
         ),
         View(
             block=_LEG,

@@ -19,6 +19,7 @@ from workbench.algorithms.curves.natural_cubic_views import (
     point_marks,
     system_rows,
     tangent_marks,
+    times,
 )
 from workbench.algorithms.curves.parameters import THROUGH, points_to_pass
 from workbench.algorithms.entry import Entry, Law, View
@@ -123,7 +124,7 @@ ENTRY = Entry(
     source="Hearn and Baker, Computer Graphics, C Version, section 10-7",
     emitted_columns=("x", "y", "m_x", "m_y"),
     columns=("step", "i", "lower", "diagonal", "upper", "right", "m_i"),
-    view_functions=(system_rows, equation_row, point_marks),
+    view_functions=(system_rows, equation_row, point_marks, times),
     views=(
         _end("Write the equation of the first point", "0", "the first", "2 m_0 + m_1", "first"),
         View(
@@ -131,8 +132,9 @@ ENTRY = Entry(
             row="equation_row('write', i, system[i])",
             marks="point_marks(points, i)",
             tables=_TABLES,
-            sentence="The second derivatives before and after point {i} are to agree: {h_after} m_{i - 1} + "
-            "{2 * (h_before + h_after)} m_{i} + {h_before} m_{i + 1} = {(right_x, right_y)}.",
+            sentence="The second derivatives before and after point {i} are to agree: "
+            "{times(h_after)}m_{i - 1} + {times(2 * (h_before + h_after))}m_{i} + {times(h_before)}m_{i + 1} "
+            "= {(right_x, right_y)}.",
         ),
         _end("Write the equation of the last point", "n", "the last", "m_{n - 1} + 2 m_{n}", "last"),
         View(
@@ -141,16 +143,16 @@ ENTRY = Entry(
             row="equation_row('eliminate', i, system[i])",
             marks="point_marks(points, i)",
             tables=_TABLES,
-            sentence="Take {factor} times equation {i - 1} off equation {i}: {diagonal} m_{i} = "
-            "{(right_x, right_y)}.",
+            sentence="Subtract {factor} times equation {i - 1} from equation {i}: "
+            "{times(diagonal)}m_{i} = {(right_x, right_y)}.",
         ),
         View(
             block="Eliminate the tangent of the point before",
             row="equation_row('eliminate', i, system[i])",
             marks="point_marks(points, i)",
             tables=_TABLES,
-            sentence="Take {factor} times equation {i - 1} off equation {i}: {diagonal} m_{i} + {row.upper} "
-            "m_{i + 1} = {(right_x, right_y)}.",
+            sentence="Subtract {factor} times equation {i - 1} from equation {i}: "
+            "{times(diagonal)}m_{i} + {times(row.upper)}m_{i + 1} = {(right_x, right_y)}.",
         ),
         View(
             block="Solve for a tangent with the one after it",
@@ -164,8 +166,8 @@ ENTRY = Entry(
             block="Solve for a tangent with the one after it",
             row="equation_row('solve', i, row, (m_x, m_y))",
             tables=_TABLES,
-            sentence="m_{i} = ({(row.right_x, row.right_y)} − {row.upper} m_{i + 1}) / {row.diagonal} = "
-            "{(m_x, m_y)}.",
+            sentence="m_{i} = ({(row.right_x, row.right_y)} − {times(row.upper)}m_{i + 1}) / {row.diagonal} "
+            "= {(m_x, m_y)}.",
         ),
     ),
     laws=(

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms.marks import MOST_SPOTS, Mark, Spot, Stroke, along
+from workbench.algorithms.numerals import numeral
 
 
 def tangent_marks(
@@ -42,3 +43,8 @@ def system_rows(system: Sequence[tuple[float, ...]]) -> list[tuple[Any, ...]]:
 def equation_row(what: str, i: int, row: Any, m: object = "") -> tuple[Any, ...]:
     """One row of the hand table: what is done, and with which numbers."""
     return what, i, row.lower, row.diagonal, row.upper, (row.right_x, row.right_y), m
+
+
+def times(coefficient: float) -> str:
+    """A coefficient before its unknown, which stands alone where that is 1."""
+    return "" if coefficient == 1.0 else f"{numeral(coefficient)} "

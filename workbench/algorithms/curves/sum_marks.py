@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms.marks import MOST_SPOTS, MOST_WORDS, Mark, Points, Spot, Stroke, Word, along
+from workbench.algorithms.numerals import numeral
 from workbench.geometry.curves.basis_functions import basis_table
 from workbench.geometry.curves.bernstein import bernstein
 
@@ -22,7 +23,7 @@ def sum_marks(
     if len(blends) <= MOST_WORDS:
         for k, blend in blends[: len(emitted)]:
             x, y = controls[k].tolist()
-            yield Word(f"{blend:.3g}", x, y, "data3", right=1, up=-1, carded=True)
+            yield Word(numeral(blend), x, y, "data3", right=1, up=-1, carded=True)
     if not len(emitted):
         return
     sums = np.vstack([np.zeros((1, 2)), emitted])

@@ -2,13 +2,15 @@
 
 from collections.abc import Sequence
 
+from workbench.algorithms.numerals import numeral
+
 Level = Sequence[tuple[float, ...]]
 
 
 def level_rows(triangle: Sequence[Level]) -> list[tuple[int, str]]:
     """The triangle level by level: (r, its points so far); a level without points is left out."""
     return [
-        (r, "  ".join(f"({x:.6g}, {y:.6g})" for x, y, *_weight in level))
+        (r, "  ".join(f"({numeral(x)}, {numeral(y)})" for x, y, *_weight in level))
         for r, level in enumerate(triangle)
         if level
     ]
@@ -17,7 +19,7 @@ def level_rows(triangle: Sequence[Level]) -> list[tuple[int, str]]:
 def weight_rows(triangle: Sequence[Level]) -> list[tuple[int, str]]:
     """The weights of the triangle's points level by level: (r, its weights so far)."""
     return [
-        (r, "  ".join(f"{weight:.6g}" for _x, _y, weight in level))
+        (r, "  ".join(numeral(weight) for _x, _y, weight in level))
         for r, level in enumerate(triangle)
         if level
     ]

@@ -60,7 +60,9 @@ def _move(edge: AnyEdge) -> str:
     if isinstance(edge, WholeEdge):
         carry, counter = divmod(edge.counter + edge.rest, edge.delta_y)
         x = edge.x + edge.step + carry
-        return f"{_text(_x(edge))} {_signed(_gain(edge))} = {_text(_mixed(x, counter, edge.delta_y))}"
+        # A counter of 0 is written too, where it is to grow: 2 + 0/6 + 3/6 = 2 + 3/6
+        here = f"{numeral(edge.x)} + {edge.counter}/{edge.delta_y}" if edge.rest else numeral(edge.x)
+        return f"{here} {_signed(_gain(edge))} = {_text(_mixed(x, counter, edge.delta_y))}"
     return f"{numeral(edge.x)} {_signed(edge.slope)} = {numeral(edge.x + edge.slope)}"
 
 

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms.marks import MOST_WORDS, Mark, Ray, Spot, Stroke, Word
+from workbench.algorithms.numerals import numeral
 
 
 def marks(
@@ -22,7 +23,7 @@ def marks(
         edge = np.asarray(vertices, np.float64)[[now["low"], now["high"]], :2]
         yield Stroke(edge, "data2", "bold")
     yield Spot(x, y, "accent", "dot", "medium")
-    yield Word(f"({x:.4g}, {y:.4g})", x, y, "text", -1, 1, carded=True)
+    yield Word(f"({numeral(x)}, {numeral(y)})", x, y, "text", -1, 1, carded=True)
     for number, (at, direction) in enumerate(crossings[:MOST_WORDS], 1):
         yield Spot(at, y, "data2", "ring")
         arrow = "↑" if direction > 0 else "↓"

@@ -70,13 +70,14 @@ VIEWS = (
     _missed("True", f"Edge {{k}} crosses the row at x = {{{_X}}}, left of the point: the ray misses it."),
     _verdict(
         "on_boundary",
-        "The point is on the boundary, which closed takes in. With {crossings} crossings and winding number "
-        "{winding}, half-open decides by the count alone.",
+        "The point is on the boundary, which closed takes in. With {crossings} "
+        "{'crossing' if crossings == 1 else 'crossings'} and winding number {winding}, half-open decides "
+        "by the count alone.",
     ),
     _verdict(
         "crossings % 2 == 1 and winding != 0",
-        "{crossings} crossings, an odd number: inside by even-odd. Winding number {winding}, not zero: "
-        "inside by nonzero.",
+        "{crossings} {'crossing' if crossings == 1 else 'crossings'}, an odd number: inside by even-odd. "
+        "Winding number {winding}, not zero: inside by nonzero.",
     ),
     _verdict(
         "winding != 0",

@@ -7,6 +7,7 @@ from typing import Any
 from numpy.typing import NDArray
 
 from workbench.algorithms.marks import MOST_SPOTS, MOST_WORDS, Mark, Ray, Spot, Stroke, Word, along
+from workbench.algorithms.numerals import numeral
 from workbench.algorithms.polygons.edges import Edge
 from workbench.algorithms.polygons.scan_line_words import goes_on_upwards, winding_of
 
@@ -47,5 +48,5 @@ def row_marks(
         yield Spot(x, float(row), "data2", "ring")
         if len(crossings) <= MOST_WORDS:
             close = any(0.0 < x - other < _CLOSE for other in crossings[:number])
-            text = words[number] if words else f"{x:.4g}"
+            text = words[number] if words else numeral(x)
             yield Word(text, x, float(row), "text", 0, -1 if close else 1, carded=True)

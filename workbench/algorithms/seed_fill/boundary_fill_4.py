@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from workbench.algorithms.entry import DrawnBy, Entry, Law
 from workbench.algorithms.seed_fill.example import BOUNDED, picture_seed_and_boundary
-from workbench.algorithms.seed_fill.pixels import get_pixel
+from workbench.algorithms.seed_fill.pixels import get_pixel, is_in
 from workbench.algorithms.seed_fill.regions import bounded_4
 from workbench.algorithms.seed_fill.stack_views import BOUNDARY_VIEWS, COLUMNS
 from workbench.algorithms.seed_fill.waiting_marks import stack_marks
@@ -73,6 +73,7 @@ ENTRY = Entry(
     source="Hearn and Baker, Computer Graphics, C Version, section 3-11",
     columns=COLUMNS,
     views=BOUNDARY_VIEWS,
+    view_functions=(is_in,),
     laws=(
         Law(
             "What is coloured is the 4-connected region of the seed among all that is neither boundary "

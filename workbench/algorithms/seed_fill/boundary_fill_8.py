@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from workbench.algorithms.entry import Entry, Law
 from workbench.algorithms.seed_fill.example import BOUNDED, picture_seed_and_boundary
 from workbench.algorithms.seed_fill.neighbours import EIGHT_STEPS
-from workbench.algorithms.seed_fill.pixels import get_pixel
+from workbench.algorithms.seed_fill.pixels import get_pixel, is_in
 from workbench.algorithms.seed_fill.regions import bounded_8
 from workbench.algorithms.seed_fill.stack_views import BOUNDARY_VIEWS, COLUMNS
 from workbench.algorithms.seed_fill.waiting_marks import stack_marks
@@ -70,6 +70,7 @@ ENTRY = Entry(
     source="Hearn and Baker, Computer Graphics, C Version, section 3-11",
     columns=COLUMNS,
     views=BOUNDARY_VIEWS,
+    view_functions=(is_in,),
     laws=(
         Law(
             "What is coloured is the 8-connected region of the seed among all that is neither boundary "

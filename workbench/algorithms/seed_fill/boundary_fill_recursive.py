@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from workbench.algorithms.entry import CALLS, Entry, Law, View
 from workbench.algorithms.seed_fill.example import BOUNDED, picture_seed_and_boundary
-from workbench.algorithms.seed_fill.pixels import get_pixel
+from workbench.algorithms.seed_fill.pixels import get_pixel, is_in
 from workbench.algorithms.seed_fill.waiting_marks import call_marks
 
 
@@ -58,7 +58,17 @@ ENTRY = Entry(
     emits="pixels",
     source="Hearn and Baker, Computer Graphics, C Version, section 3-11",
     columns=("pixel", "its colour", "coloured"),
+    view_functions=(is_in,),
     views=(
+        View(
+            block=_TEST,
+            when="not is_in(image, x, y)",
+            candidates=_PIXEL,
+            rejected=_PIXEL,
+            row="((x, y), current, 0)",
+            considers="(x, y)",
+            sentence="{(x, y)} is outside the picture, which counts as boundary: this call returns at once.",
+        ),
         View(
             block=_TEST,
             when="current == boundary",

@@ -13,9 +13,9 @@ from numpy.typing import NDArray
 
 from workbench.algorithms.entry import Entry, Law
 from workbench.algorithms.seed_fill.example import BOUNDED, picture_seed_and_boundary
-from workbench.algorithms.seed_fill.pixels import get_pixel
+from workbench.algorithms.seed_fill.pixels import get_pixel, is_in
 from workbench.algorithms.seed_fill.regions import bounded_4
-from workbench.algorithms.seed_fill.span_views import COLUMNS, VIEWS, tested_pixels
+from workbench.algorithms.seed_fill.span_views import COLUMNS, VIEWS, run_text, tested_pixels
 from workbench.algorithms.seed_fill.waiting_marks import span_marks
 
 
@@ -95,7 +95,7 @@ ENTRY = Entry(
     source="Hearn and Baker, Computer Graphics, C Version, section 3-11",
     columns=COLUMNS,
     views=VIEWS,
-    view_functions=(tested_pixels,),
+    view_functions=(is_in, run_text, tested_pixels),
     tests_in=(run_left, run_right),
     laws=(
         Law(

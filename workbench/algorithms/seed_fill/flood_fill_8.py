@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from workbench.algorithms.entry import Entry, Law
 from workbench.algorithms.seed_fill.example import FLOOD, picture_and_seed
 from workbench.algorithms.seed_fill.neighbours import EIGHT_STEPS
-from workbench.algorithms.seed_fill.pixels import get_pixel
+from workbench.algorithms.seed_fill.pixels import get_pixel, is_in
 from workbench.algorithms.seed_fill.regions import flooded_8
 from workbench.algorithms.seed_fill.stack_views import COLUMNS, FLOOD_VIEWS
 from workbench.algorithms.seed_fill.waiting_marks import stack_marks
@@ -68,6 +68,7 @@ ENTRY = Entry(
     source="Hearn and Baker, Computer Graphics, C Version, section 3-11",
     columns=COLUMNS,
     views=FLOOD_VIEWS,
+    view_functions=(is_in,),
     laws=(
         Law(
             "What is coloured is the 8-connected region of the seed among all pixels of its colour.",

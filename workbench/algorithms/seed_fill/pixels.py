@@ -6,6 +6,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 
+def is_in(image: NDArray[Any], x: int, y: int) -> bool:
+    """Whether pixel (x, y) is in a picture (h, w)."""
+    return bool(0 <= x < image.shape[1] and 0 <= y < image.shape[0])
+
+
 def get_pixel(image: NDArray[Any], x: int, y: int, outside: int) -> int:
     """The colour of pixel (x, y) of a picture (h, w); ``outside`` beyond its edge.
 

@@ -3,6 +3,11 @@
 from workbench.algorithms.entry import View
 
 
+def run_text(left: int, right: int) -> str:
+    """The columns of a run: 2 to 6, or a single one."""
+    return f"{left} to {right}" if left < right else f"{left}"
+
+
 def tested_pixels(y: int, left: int, right: int) -> tuple[tuple[int, int], ...]:
     """The pixels of a run and the one that ends it."""
     return tuple((x, y) for x in range(left, right + 2))
@@ -34,49 +39,63 @@ def _filled(when: str, sentence: str) -> View:
     )
 
 
-VIEWS = (
-    View(
-        block=_SEED,
-        when="not stack",
-        rejected="((x, y),)",
-        considers="(x, y)",
-        tables=_STACK,
-        sentence="The seed {(x, y)} is boundary, filled or outside the picture: there is nothing to fill.",
-    ),
-    View(
-        block=_SEED,
-        chosen="tested_pixels(y, left, right - 1)",
-        considers="(x, y)",
-        tables=_STACK,
-        sentence="On row {y} the run of the seed is {left} to {right}: fill it, and push it for the rows "
-        "below and above.",
-    ),
-    View(
-        block=_BACK,
-        when="left < span_left - 1",
-        considers="(left - 1, y)",
-        sentence="On row {y} the first run begins at {left}, left of the span from {span_left}: push {left} "
-        "to {span_left - 2} for the way back.",
-    ),
-    View(block=_BACK, considers="(left - 1, y)"),
-    View(
+def _no_run(when: str, why: str) -> View:
+    """A pixel at which no run begins."""
+    return View(
         block=_FILL,
-        when="right < before.left",
+        when=f"right < before.left and {when}",
         candidates="tested_pixels(y, left, right)",
         rejected=_END,
         row="(y, (span_left, span_right), '', 0, len(stack))",
         tables=_STACK,
         considers="(right + 1, y)",
-        sentence="{(right + 1, y)} is boundary, filled or outside the picture: no run begins here.",
+        sentence=f"{{(right + 1, y)}} {why}: no run begins here.",
+    )
+
+
+def _refused(when: str, why: str) -> View:
+    """A seed from which nothing is filled."""
+    return View(
+        block=_SEED,
+        when=when,
+        rejected="((x, y),)",
+        considers="(x, y)",
+        tables=_STACK,
+        sentence=f"The seed {{(x, y)}} {why}: there is nothing to fill.",
+    )
+
+
+VIEWS = (
+    _refused("not stack and not is_in(image, x, y)", "is outside the picture"),
+    _refused("not stack and colour == boundary", "is boundary"),
+    _refused("not stack", "has been filled already"),
+    View(
+        block=_SEED,
+        chosen="tested_pixels(y, left, right - 1)",
+        considers="(x, y)",
+        tables=_STACK,
+        sentence="On row {y} the run of the seed is {run_text(left, right)}: fill it, and push it for the "
+        "rows below and above.",
     ),
+    View(
+        block=_BACK,
+        when="left < span_left - 1",
+        considers="(left - 1, y)",
+        sentence="On row {y} the first run begins at {left}, left of the span from {span_left}: push "
+        "{run_text(left, span_left - 2)} for the way back.",
+    ),
+    View(block=_BACK, considers="(left - 1, y)"),
+    _no_run("image[y, right + 1] == boundary", "is boundary"),
+    _no_run("True", "has been filled already"),
     _filled(
         "right > span_right + 1",
-        "Fill {before.left} to {right} on row {y} and push it for the next row. It reaches further right "
-        "than the span up to {span_right}: push {span_right + 2} to {right} for the way back, {len(stack)} "
-        "on the stack.",
+        "Fill {run_text(before.left, right)} on row {y} and push it for the next row. It reaches further "
+        "right than the span up to {span_right}: push {run_text(span_right + 2, right)} for the way back, "
+        "{len(stack)} on the stack.",
     ),
     _filled(
         "True",
-        "Fill {before.left} to {right} on row {y} and push it for the next row, {len(stack)} on the stack.",
+        "Fill {run_text(before.left, right)} on row {y} and push it for the next row, "
+        "{len(stack)} on the stack.",
     ),
 )

@@ -8,6 +8,8 @@ _SEED = "Test the seed"
 _DECIDE_BOUNDARY = "Colour it and push it, unless it is boundary or filled"
 _DECIDE_FLOOD = "Colour it and push it, if it has the seed's old colour"
 _PIXEL = "((next_x, next_y),)"
+_OUTSIDE = "not is_in(image, next_x, next_y)"
+_SEED_OUTSIDE = "not is_in(image, x, y)"
 _STACK = {"Stack": ("stack", ("x", "y"))}
 
 
@@ -26,25 +28,38 @@ def _decided(block: str, when: str, pushed: bool, sentence: str) -> View:
     )
 
 
+def _refused(when: str, why: str) -> View:
+    """A seed from which nothing is filled."""
+    return View(
+        block=_SEED,
+        when=when,
+        rejected="((x, y),)",
+        considers="(x, y)",
+        sentence=f"The seed {{(x, y)}} {why}: there is nothing to fill.",
+    )
+
+
 _START = (
     View(block="Colour the seed and push it", chosen="((x, y),)", tables=_STACK),
     View(
         block="Take a pixel from the stack",
         tables=_STACK,
-        sentence="Take {(x, y)} from the stack; {len(stack)} are left.",
+        sentence="Take {(x, y)} from the stack: {len(stack)} left on it.",
     ),
 )
 
 BOUNDARY_VIEWS = (
-    View(
-        block=_SEED,
-        when="colour == boundary or colour == fill",
-        rejected="((x, y),)",
-        considers="(x, y)",
-        sentence="The seed {(x, y)} has colour {colour}, so there is nothing to fill.",
-    ),
+    _refused(_SEED_OUTSIDE, "is outside the picture"),
+    _refused("colour == boundary", "is boundary"),
+    _refused("colour == fill", "has been filled already"),
     View(block=_SEED, considers="(x, y)", sentence="The seed {(x, y)} has colour {colour}: go."),
     *_START,
+    _decided(
+        _DECIDE_BOUNDARY,
+        _OUTSIDE,
+        False,
+        "{(next_x, next_y)} beside {(x, y)} is outside the picture, which counts as boundary: leave it.",
+    ),
     _decided(
         _DECIDE_BOUNDARY,
         "colour == boundary",
@@ -67,14 +82,8 @@ BOUNDARY_VIEWS = (
 )
 
 FLOOD_VIEWS = (
-    View(
-        block=_SEED,
-        when="old == fill",
-        rejected="((x, y),)",
-        considers="(x, y)",
-        sentence="The seed {(x, y)} is outside the picture or has the fill's colour {fill} already: there is "
-        "nothing to fill.",
-    ),
+    _refused(_SEED_OUTSIDE, "is outside the picture"),
+    _refused("old == fill", "has the fill's colour {fill} already"),
     View(
         block=_SEED,
         considers="(x, y)",
@@ -83,9 +92,15 @@ FLOOD_VIEWS = (
     *_START,
     _decided(
         _DECIDE_FLOOD,
+        _OUTSIDE,
+        False,
+        "{(next_x, next_y)} beside {(x, y)} is outside the picture, which counts as filled: leave it.",
+    ),
+    _decided(
+        _DECIDE_FLOOD,
         "colour == fill",
         False,
-        "{(next_x, next_y)} beside {(x, y)} has the fill's colour, or is outside the picture: leave it.",
+        "{(next_x, next_y)} beside {(x, y)} has the fill's colour already: leave it.",
     ),
     _decided(
         _DECIDE_FLOOD,

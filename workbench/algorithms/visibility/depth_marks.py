@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms.marks import MOST_SPOTS, Mark, Ray, Spot, Stroke, Word, closed
+from workbench.algorithms.numerals import numeral
 from workbench.algorithms.visibility.device_plane import Corner
 
 
@@ -33,4 +34,4 @@ def scan_line_marks(
 
 def depth_mark(x: int, y: int, z: float) -> Mark:
     """The depth of the triangle at the pixel."""
-    return Word(f"z = {z:.6g}", float(x), float(y), "text", 0, 1, carded=True)
+    return Word(f"z = {numeral(z)}", float(x), float(y), "text", 0, 1, carded=True)
