@@ -33,6 +33,7 @@ class FoldingCard(QFrame):
 
     def __init__(self, canvas: QWidget, width: int = WIDTH_PX) -> None:
         super().__init__(canvas)
+        self._canvas = canvas
         self.setObjectName("card")
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self._narrow = False
@@ -95,12 +96,12 @@ class FoldingCard(QFrame):
         layout = self.layout()
         if layout is None:
             return
-        canvas, margins = self.parentWidget(), layout.contentsMargins()
+        margins = layout.contentsMargins()
         wide, body = self._wide - margins.left() - margins.right(), self.body
         needed = body.totalHeightForWidth(wide) if body.hasHeightForWidth() else body.totalSizeHint().height()
         hidden = self._area.isHidden()
         around = layout.totalSizeHint().height() - (0 if hidden else self._area.minimumHeight())
-        room = max(canvas.height() - self.y() - _BELOW_PX - around, 0)
+        room = max(self._canvas.height() - self.y() - _BELOW_PX - around, 0)
         scrolls = needed > room and not hidden
         self._area.setFixedHeight(min(needed, room))
         width = self._wide + (self._area.verticalScrollBar().sizeHint().width() if scrolls else 0)
