@@ -1,7 +1,7 @@
 """A card ends within its canvas, however low that is, and all that it holds can be reached."""
 
 import pytest
-from PySide6.QtWidgets import QLabel, QScrollArea, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QScrollArea, QWidget
 
 from tests.panels.by_hand import keep_until_the_end, settle
 from workbench.panels.stage.folding_card import WIDTH_PX, FoldingCard
@@ -74,3 +74,15 @@ def test_a_card_is_as_high_as_what_it_holds_now(card):
     card.body.itemAt(0).widget().hide()
     settle()
     assert card.height() == before - 30 - card.body.spacing()
+
+
+def test_what_asks_for_more_width_than_the_card_has_ends_before_its_bar(card, canvas):
+    wide = QWidget()
+    row = QHBoxLayout(wide)
+    for name in ("near", "far"):
+        row.addWidget(QPushButton(name * 4))
+    card.body.addWidget(wide)
+    canvas.resize(800, 200)
+    settle()
+    area = card.findChild(QScrollArea)
+    assert area.widget().width() == area.viewport().width()

@@ -50,6 +50,7 @@ class FoldingCard(QFrame):
         head.addWidget(self.title, 1)
         head.addWidget(self._fold)
         self._body = QWidget()
+        self._body.setMinimumWidth(1)  # it keeps to the card's width, whatever it asks for
         self._area = QScrollArea()
         self._area.setFrameShape(QFrame.Shape.NoFrame)
         self._area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
