@@ -1,4 +1,4 @@
-"""A derivation on paper: headings, lines of words and formulas, rows of matrices, labelled drawings.
+"""A derivation on paper: headings, lines of words and formulas, rows of matrices, grids, labelled drawings.
 
 It is laid out into primitives, lengths in points, y downwards; ``diagram_svg`` and Qt's PDF write those.
 """
@@ -12,9 +12,11 @@ import numpy as np
 
 from workbench.algorithms import marks
 from workbench.algorithms.marks import Pattern, Points, Size, Weight
-from workbench.exchange.formulas.layout import Area, Disc, Glyphs, Line, Primitive, Style, Typesetter, moved
+from workbench.exchange.formulas.folding import folded
+from workbench.exchange.formulas.layout import Area, Disc, Glyphs, Line, Primitive, Typesetter, moved
 from workbench.exchange.formulas.rows import lay_out
 from workbench.exchange.formulas.terms import Shows, Terms, displayed
+from workbench.exchange.grids import Grid, lay_out_grid
 
 PAGE_PT = 480.0
 MARGIN_PT = 18.0
@@ -22,7 +24,7 @@ SIZE_PT = 11.0
 HEIGHT_PT = 240.0
 BLACK, WHITE = "#000000", "#FFFFFF"
 _HEADING, _SMALL = 1.3, 0.8
-_LEADING, _BETWEEN = 1.45, 0.8
+_BETWEEN = 0.8
 _WIDTHS: dict[Weight, float] = {
     "hair": 0.5,
     "thin": 0.9,
@@ -97,7 +99,7 @@ class Formulas:
     shows: Shows = "numbers"
 
 
-Block: TypeAlias = Drawing | Heading | Sentence | Formulas
+Block: TypeAlias = Drawing | Heading | Sentence | Formulas | Grid
 
 
 @dataclass(frozen=True, slots=True)
@@ -139,63 +141,16 @@ def lay_out_derivation(derivation: Derivation, typesetter: Typesetter) -> Laid:
 def _block(block: Block, typesetter: Typesetter, room: float) -> Laid:
     match block:
         case Heading():
-            return _folded(block.text, typesetter, room, _HEADING * SIZE_PT, strong=True)
+            return Laid(*folded(typesetter, block.text, room, _HEADING * SIZE_PT, strong=True))
         case Sentence():
-            return _folded(block.text, typesetter, room, SIZE_PT)
+            return Laid(*folded(typesetter, block.text, room, SIZE_PT))
         case Formulas():
             row = lay_out(typesetter, block.terms, block.shows, SIZE_PT, room)
             return Laid(row.width, row.height, row.primitives)
+        case Grid():
+            return Laid(*lay_out_grid(typesetter, block, room, SIZE_PT))
         case Drawing():
             return _drawing(block, typesetter, room)
-
-
-# Lines of words
-
-
-def _folded(text: str, typesetter: Typesetter, room: float, size: float, strong: bool = False) -> Laid:
-    """Words and formulas, folded between words; nothing is cut."""
-    line = _LEADING * size
-    space = typesetter.metrics.width(" ", size, "upright")
-    primitives: list[Primitive] = []
-    x, y, widest = 0.0, typesetter.metrics.ascent(size), 0.0
-    style: Style = "bold" if strong else "upright"
-    for run in _runs(text):
-        if run.formula:
-            box = typesetter.formula(run.text, size, strong)
-        else:
-            box = typesetter.text(run.text, size, style)
-        gap = 0.0 if run.glued or x == 0.0 else space
-        if x and not run.glued and x + gap + box.width > room:
-            x, y, gap = 0.0, y + line, 0.0
-        primitives += moved(box.primitives, x + gap, y)
-        x += gap + box.width
-        widest = max(widest, x)
-    return Laid(widest, y + typesetter.metrics.descent(size) + 0.3 * size, tuple(primitives))
-
-
-class _Run(NamedTuple):
-    """A word, or a formula; ``glued`` where no blank stands before it."""
-
-    text: str
-    formula: bool
-    glued: bool
-
-
-def _runs(text: str) -> Iterator[_Run]:
-    """The words of a sentence, and the formulas between its dollar signs."""
-    parts = text.split("$")
-    if len(parts) % 2 == 0:  # a dollar sign alone is itself
-        parts[-2:] = ["$".join(parts[-2:])]
-    glued = True
-    for number, part in enumerate(parts):
-        if number % 2:
-            yield _Run(part, True, glued)
-            glued = True
-            continue
-        for k, word in enumerate(part.split()):
-            yield _Run(word, False, glued and not (k or part[0].isspace()))
-        if part:
-            glued = not part[-1].isspace()
 
 
 # Drawings

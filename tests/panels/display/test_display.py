@@ -248,3 +248,22 @@ def test_brightness_and_contrast_reach_the_tubes_and_the_file(
     assert panel.raster.driver.beam.energy_per_frame().sum() > 1.5 * dark
     session.save_as(tmp_path / "bright.gwb")
     assert load_state(tmp_path / "bright.gwb").tube.brightness == 0.3
+
+
+def test_on_a_low_page_the_tubes_have_the_most_room(panel: TubesPage, session: Session, qtbot: QtBot) -> None:
+    session.open_example("line")
+    session.flush()
+    panel.resize(655, 290)
+    qtbot.waitUntil(panel.note.isHidden)
+    qtbot.waitUntil(lambda: panel.width() == 655)
+    rows = panel.strip, panel.instruments
+    qtbot.waitUntil(lambda: panel.raster.height() > 1.3 * max(row.height() for row in rows))
+
+
+def test_the_controls_are_all_seen_on_a_page_of_a_small_screen(panel: TubesPage, qtbot: QtBot) -> None:
+    panel.resize(655, 290)
+    qtbot.waitUntil(panel.strip.verticalScrollBar().isVisible)
+    panel.resize(800, 440)
+    qtbot.waitUntil(lambda: panel.width() == 800)
+    qtbot.waitUntil(lambda: panel.strip.height() >= panel.controls.height())
+    assert lies_whole(panel.controls)

@@ -383,3 +383,10 @@ def test_the_flight_to_the_screen_takes_the_time_of_its_length_at_its_speed(page
     assert unit == "ns"
     assert float(told) * 1e-9 == pytest.approx(seconds, rel=5e-3)
     assert float(told) == pytest.approx(10.8, abs=0.05)
+
+
+def test_phosphors_are_listed_in_units_that_are_read_at_a_glance(gun_page: GunPage) -> None:
+    titles = [gun_page.bar.phosphor.itemText(k) for k in range(gun_page.bar.phosphor.count())]
+    assert "P33  orange, 5 s (uncertain)" in titles
+    assert "P31  green, 340 µs" in titles
+    assert "P3  amber, 19 ms" in titles

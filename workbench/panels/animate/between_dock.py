@@ -4,7 +4,6 @@ from functools import partial
 
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import (
-    QComboBox,
     QFrame,
     QHBoxLayout,
     QLabel,
@@ -24,6 +23,7 @@ from workbench.document.motion.tracks import group_moved
 from workbench.language import _
 from workbench.panels.animate.names import easing_titles, label_of
 from workbench.rendering.subjects.track import keys_around
+from workbench.widgets.fields.choice_box import ChoiceBox
 from workbench.widgets.look.tips import tell_choice
 from workbench.widgets.look.type_faces import code_font
 from workbench.widgets.timeline.easing_curve import EasingCurve
@@ -48,11 +48,9 @@ class BetweenDock(QScrollArea):
         self.title.setProperty("role", "title")
         self.title.setTextFormat(Qt.TextFormat.PlainText)
         self.title.setWordWrap(True)
-        self.easing = QComboBox()
+        self.easing = ChoiceBox(5)
         for name, title in easing_titles().items():
             self.easing.addItem(title, name)
-        self.easing.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
-        self.easing.setMinimumContentsLength(5)
         self.easing.setAccessibleName(_("Easing"))
         self.easing.setToolTip(_("How the value changes from this key to the next one"))
         tell_choice(self.easing)

@@ -1,6 +1,7 @@
 """The controls of the tubes: what is shown, phosphor, refresh, persistence, slow motion, time."""
 
 import math
+import re
 from fractions import Fraction
 
 from msgspec.structs import replace
@@ -10,6 +11,7 @@ from PySide6.QtWidgets import (
     QComboBox,
     QHBoxLayout,
     QLabel,
+    QSizePolicy,
     QSlider,
     QToolButton,
     QWidget,
@@ -21,6 +23,7 @@ from workbench.display.setup import COLOUR_TUBE, phosphor_choices
 from workbench.language import _
 from workbench.panels.display.flash_warning import CalmSwitch
 from workbench.session.session import Session
+from workbench.widgets.fields.choice_box import ChoiceBox
 from workbench.widgets.fields.number_field import NumberField
 from workbench.widgets.look.flow_layout import flowing
 from workbench.widgets.look.icons import icon
@@ -29,6 +32,8 @@ from workbench.widgets.look.tips import tell_choice
 from workbench.widgets.look.tokens import theme
 
 _PER_DECADE = 20
+_PHOSPHOR_LETTERS, _DISPLAY_LETTERS = 21, 16
+_FACTOR_PX = 150
 
 
 def phosphor_title(name: str) -> str:
@@ -36,7 +41,7 @@ def phosphor_title(name: str) -> str:
     if name == COLOUR_TUBE:
         return _("P22  red, green, blue")
     phosphor = Phosphor.named(name)
-    return f"{name}  {phosphor.colour_name.split(',')[0]}, {span_text(phosphor.t10_s)}"
+    return f"{name}  {re.split(', | / ', phosphor.colour_name)[0]}, {span_text(phosphor.t10_s)}"
 
 
 class DisplayControls(QWidget):
@@ -53,22 +58,27 @@ class DisplayControls(QWidget):
         rows = []
         for _group in range(8):
             group = QWidget()
+            group.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Preferred)
             row = QHBoxLayout(group)
             row.setContentsMargins(0, 0, 0, 0)
             row.setSpacing(8)
             rows.append(row)
             flow.addWidget(group)
-        first, screens, displays, numbers, knobs, clock, time, meter = rows
+        first, screens, clock, time, meter, displays, numbers, knobs = rows
         self._make_views(first)
         self.phosphor = self._combo(
             screens,
             _("Phosphor"),
             _("What the screen is coated with, and the time in which it decays to 10 %"),
+            _PHOSPHOR_LETTERS,
         )
         for name in phosphor_choices():
             self.phosphor.addItem(phosphor_title(name), name)
         self.vector = self._combo(
-            displays, _("Vector display"), _("Whose deflection speeds the vector tube has")
+            displays,
+            _("Vector display"),
+            _("Whose deflection speeds the vector tube has"),
+            _DISPLAY_LETTERS,
         )
         for name in vector_displays():
             self.vector.addItem(VectorTiming.named(name).name, name)
@@ -119,11 +129,10 @@ class DisplayControls(QWidget):
         self._colour_icons()
         self.show_state()
 
-    def _combo(self, row: QHBoxLayout, name: str, meaning: str) -> QComboBox:
+    def _combo(self, row: QHBoxLayout, name: str, meaning: str, letters: int) -> QComboBox:
         label = QLabel(name)
         label.setProperty("role", "muted")
-        box = QComboBox()
-        box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
+        box = ChoiceBox(letters)
         box.setToolTip(meaning)
         tell_choice(box)
         box.setAccessibleName(name)
@@ -189,7 +198,8 @@ class DisplayControls(QWidget):
         self.slow.valueChanged.connect(self._slow_moved)
         row.addWidget(self.slow, 1)
         self.factor = QLabel()
-        self.factor.setMinimumWidth(210)
+        self.factor.setMinimumWidth(_FACTOR_PX)  # the slider keeps its length while it is dragged
+        self.factor.setToolTip(_("How many times slower the tube runs, and how long a picture takes then"))
         row.addWidget(self.factor)
 
     def _make_meter(self, row: QHBoxLayout) -> None:
@@ -239,9 +249,7 @@ class DisplayControls(QWidget):
             self.factor.setText(_("real time"))
         else:
             self.factor.setText(
-                _("1 : {factor:,.0f}   a picture takes {time}").format(
-                    factor=now.slow_motion, time=span_text(float(one))
-                )
+                _("1 : {factor:,.0f} ({time})").format(factor=now.slow_motion, time=span_text(float(one)))
             )
         self._showing = False
 

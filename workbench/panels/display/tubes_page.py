@@ -20,6 +20,7 @@ from workbench.widgets.look.flow_layout import FlowArea
 from workbench.widgets.tube.view import TubeView
 
 _SIDE_PX = 12
+_MOST_STRIP, _MOST_INSTRUMENTS = 0.27, 0.26
 
 
 class TubesPage(PlainPage, QWidget):
@@ -43,7 +44,7 @@ class TubesPage(PlainPage, QWidget):
         whole = QVBoxLayout(self)
         whole.setContentsMargins(_SIDE_PX, 8, _SIDE_PX, 8)
         whole.setSpacing(8)
-        self.strip = FlowArea(self.controls)
+        self.strip = FlowArea(self.controls, _MOST_STRIP)
         whole.addWidget(self.strip)
         whole.addWidget(self.warning)
         whole.addLayout(self.tubes, 1)
@@ -63,8 +64,9 @@ class TubesPage(PlainPage, QWidget):
         self._show_state()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """The strip has the rows that it needs."""
+        """The strip has the rows that it needs; on a low page the instruments leave the tubes room."""
         super().resizeEvent(event)
+        self.instruments.setMaximumHeight(int(_MOST_INSTRUMENTS * event.size().height()))
         self.strip.fit(event.size().width() - 2 * _SIDE_PX, event.size().height())
 
     def copy(self) -> bool:

@@ -33,6 +33,7 @@ from workbench.session.run import Run
 from workbench.session.session import Session
 from workbench.widgets.canvas.overlay import Overlay
 from workbench.widgets.canvas.pixel_canvas import PixelCanvas
+from workbench.widgets.fields.choice_box import ChoiceBox
 from workbench.widgets.look.empty_state import EmptyState
 from workbench.widgets.look.tips import tell_choice
 from workbench.widgets.look.tokens import theme_changed, tokens
@@ -70,7 +71,7 @@ class CompareView(QWidget):
         theme_changed.connect(self._show_difference)
 
     def _make(self) -> None:
-        self.first, self.second = QComboBox(), QComboBox()
+        self.first, self.second = ChoiceBox(2), ChoiceBox(2)
         for box, name, tip, choose in (
             (self.first, _("First algorithm"), _("The algorithm that is stepped"), self._choose_first),
             (
@@ -82,8 +83,6 @@ class CompareView(QWidget):
         ):
             box.setAccessibleName(name)
             box.setToolTip(tip)
-            box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
-            box.setMinimumContentsLength(2)
             box.setMinimumWidth(_LEAST_PX)
             tell_choice(box)
             box.activated.connect(choose)

@@ -113,7 +113,7 @@ class ObjectsDock(QWidget):
             row.addWidget(tool)
         top = QWidget()
         column = QVBoxLayout(top)
-        column.setContentsMargins(0, 0, 0, 0)
+        column.setContentsMargins(0, 6, 0, 0)  # clear of the tabs
         column.setSpacing(0)
         column.addWidget(self.list, 1)
         column.addLayout(row)

@@ -22,6 +22,7 @@ from workbench.document.sheet_edits import set_clipper, set_sheet_size
 from workbench.document.view_edits import resize_device
 from workbench.language import _
 from workbench.session.session import Session
+from workbench.widgets.fields.choice_box import ChoiceBox
 from workbench.widgets.fields.number_field import NumberField
 
 Apply = Callable[[Edit, str, str], bool]
@@ -43,11 +44,9 @@ class PaintingFields(QWidget):
             (LINE_CLIPPERS, _("The algorithm that clips lines")),
             (POLYGON_CLIPPERS, _("The algorithm that clips polygons")),
         ):
-            chooser = QComboBox()
+            chooser = ChoiceBox(6)
             chooser.setAccessibleName(tip)
             chooser.setToolTip(tip)
-            chooser.setMinimumContentsLength(6)
-            chooser.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
             for slug in slugs:
                 chooser.addItem(_(catalogue.get(slug).title), slug)
             chooser.activated.connect(partial(self._set_clipper, chooser))

@@ -124,7 +124,11 @@ class FlowArea(QScrollArea):
     def fit(self, width: int, page_height: int) -> None:
         """Take the height that the strip needs in so much width, on a page so high."""
         needed, most = self._strip.heightForWidth(width), int(self._most * page_height)
-        if needed > most:
+        scrolls = needed > most
+        policy = Qt.ScrollBarPolicy
+        # Asked for its height beside the bar, a strip that had one would keep it
+        self.setVerticalScrollBarPolicy(policy.ScrollBarAsNeeded if scrolls else policy.ScrollBarAlwaysOff)
+        if scrolls:
             beside = self.verticalScrollBar().sizeHint().width()
             needed = min(self._strip.heightForWidth(width - beside), most)
         self.setFixedHeight(max(needed, self._strip.minimumSizeHint().height()))

@@ -8,7 +8,7 @@ from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QWidget
 
 from workbench.exchange.tables import Table
-from workbench.language import _
+from workbench.language import _, ngettext
 from workbench.widgets.look.tokens import tokens
 from workbench.widgets.plots.plot import Plot, pen_of
 
@@ -153,8 +153,10 @@ class RefreshPlot(Plot):
             )
             self.say(said.format(rate=1.0 / curve.shortest_s, fusion=curve.fusion_hz))
             return
-        said = _(
-            "{now:,} lines: {rate:.3g} Hz. Up to {most:,} lines it is steady; it flickers from {next:,}."
+        said = ngettext(
+            "{now:,} line: {rate:.3g} Hz. Up to {most:,} it is steady; from {next:,} on it flickers.",
+            "{now:,} lines: {rate:.3g} Hz. Up to {most:,} it is steady; from {next:,} on it flickers.",
+            self._lines,
         )
         rate = curve.hz(self._lines)
         self.say(said.format(now=self._lines, rate=rate, most=curve.most, next=curve.most + 1))

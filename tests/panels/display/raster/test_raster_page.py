@@ -257,6 +257,25 @@ def test_the_colour_table_is_edited(page: RasterPage, session: Session, qtbot: Q
     assert page.buffer.table == (0, 0x555555, 0xAAAAAA, 0xFFFFFF)
 
 
+def test_a_short_table_that_keeps_every_colour_is_no_fault(
+    page: RasterPage, session: Session, qtbot: QtBot
+) -> None:
+    show_dock(qtbot, page.buffer)
+    page.buffer.choose_depth(8)
+    page.buffer._load("picture")
+    session.flush()
+    page.refresh()
+    page.buffer.refresh()
+    assert 1 < len(page.buffer.table) < 256
+    assert page.buffer.loss.text().startswith("Nothing is lost")
+    assert page.buffer.fault.text() == ""
+    page.buffer._take(page.buffer.table[:-1])
+    session.flush()
+    page.refresh()
+    page.buffer.refresh()
+    assert "too short" in page.buffer.fault.text()
+
+
 def test_what_is_lost_is_shown_side_by_side(page: RasterPage, qtbot: QtBot) -> None:
     show_dock(qtbot, page.buffer)
     page.buffer.refresh()

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 
 from msgspec.structs import replace
-from PySide6.QtWidgets import QComboBox, QSizePolicy, QWidget
+from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from workbench.display import VectorTiming, vector_displays
 from workbench.document.subjects import Argument
@@ -12,6 +12,7 @@ from workbench.panels.stage.folding_card import fill_choices
 from workbench.rendering.subjects.comparison import ARGUMENTS, LENS, compares_displays, lens_of, number_of
 from workbench.rendering.subjects.random_scan import display_of
 from workbench.session.session import Session
+from workbench.widgets.fields.choice_box import ChoiceBox
 from workbench.widgets.fields.number_field import NumberField, complaint_label
 from workbench.widgets.look.flow_layout import flowing
 from workbench.widgets.look.tips import tell_choice
@@ -32,11 +33,9 @@ class ComparisonBar(QWidget):
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._session = session
-        self.display = QComboBox()
+        self.display = ChoiceBox(11)
         self.display.setAccessibleName(_("Display"))
         self.display.setToolTip(_("Whose beam draws the strokes: how fast it draws, jumps and settles"))
-        self.display.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
-        self.display.setMinimumContentsLength(11)
         tell_choice(self.display)
         self.complaint = complaint_label()
         self.complaint.setWordWrap(False)  # as wide as it is long, the row flows

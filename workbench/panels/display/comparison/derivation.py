@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from workbench.algorithms.marks import Ink, Region, Stroke, Word
 from workbench.algorithms.scanning.operations import JUMP, NAMES
 from workbench.exchange.diagrams import Arrow, Block, Derivation, Drawing, Heading, Item, Sentence
+from workbench.exchange.grids import Grid
 from workbench.language import _
 from workbench.panels.display.comparison.facts import Facts, features
 from workbench.widgets.formulas.paper import paper_inks
@@ -17,6 +18,7 @@ _WINDOW = (0.0, 0.0, 120.0, 46.0)
 _SCREEN = (80.0, 6.0, 118.0, 38.0)
 _ROWS = 5
 _CELLS = 8
+_SHARES = (0.7, 1.0, 1.0)
 
 
 def derivation(facts: Facts, image: NDArray[np.uint32]) -> Derivation:
@@ -66,13 +68,10 @@ def derivation(facts: Facts, image: NDArray[np.uint32]) -> Derivation:
         ),
         Heading(_("Compared")),
     ]
-    for row in features(facts):
-        blocks += [
-            Heading(row.name),
-            Sentence(_("Raster: {text}.").format(text=row.raster)),
-            Sentence(_("Random: {text}.").format(text=row.random)),
-            Sentence(row.but),
-        ]
+    rows = features(facts)
+    headings = _("Feature"), _("Raster scan"), _("Random scan")
+    blocks.append(Grid(headings, [(row.name, row.raster, row.random) for row in rows], _SHARES))
+    blocks += [Sentence(_("{name}: {but}").format(name=row.name, but=row.but)) for row in rows]
     return Derivation(title, blocks, paper_inks())
 
 

@@ -33,6 +33,7 @@ from workbench.rendering.subjects.flicker import (
     number,
     phosphor_of,
 )
+from workbench.widgets.fields.choice_box import ChoiceBox
 from workbench.widgets.fields.number_field import NumberField, complaint_label
 from workbench.widgets.look.icons import set_icon
 from workbench.widgets.look.tips import tell_choice
@@ -90,9 +91,7 @@ class FlickerControls(QWidget):
         above.addWidget(self.calm)
 
     def _combo(self, row: QHBoxLayout, name: str, meaning: str, letters: int) -> QComboBox:
-        box = QComboBox()
-        box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
-        box.setMinimumContentsLength(letters)
+        box = ChoiceBox(letters)
         box.setToolTip(meaning)
         tell_choice(box)
         box.setAccessibleName(name)

@@ -4,7 +4,6 @@ from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QCheckBox,
-    QComboBox,
     QHBoxLayout,
     QLabel,
     QMenu,
@@ -18,7 +17,9 @@ from workbench.display.phosphor import Phosphor
 from workbench.display.setup import COLOUR_TUBE, phosphor_choices
 from workbench.document.state import TubeSettings
 from workbench.language import _
+from workbench.panels.display.controls import phosphor_title
 from workbench.panels.display.gun.presets import presets
+from workbench.widgets.fields.choice_box import ChoiceBox
 from workbench.widgets.fields.slider_field import SliderField
 from workbench.widgets.look.icons import set_icon
 from workbench.widgets.look.tips import tell_choice
@@ -41,7 +42,7 @@ class GunBar(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-        self.bent_by, self.phosphor = QComboBox(), QComboBox()
+        self.bent_by, self.phosphor = ChoiceBox(9), ChoiceBox(16)
         self.bent_by.addItem(_("by plates"), False)
         self.bent_by.addItem(_("by coils"), True)
         for name in phosphor_choices():
@@ -81,8 +82,6 @@ class GunBar(QWidget):
             label.setProperty("role", "muted")
             label.setBuddy(box)
             self._titles.append(label)
-            box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
-            box.setMinimumContentsLength(9 if box is self.bent_by else 15)
             box.setAccessibleName(title)
             box.setToolTip(meaning)
             tell_choice(box)
@@ -148,9 +147,6 @@ class GunBar(QWidget):
 
 
 def _phosphor_title(name: str) -> str:
-    """A phosphor with its colour and how long it glows, for a list."""
-    if name == COLOUR_TUBE:
-        return _("P22  red, green, blue")
-    phosphor = Phosphor.named(name)
-    doubt = _(" (uncertain)") if phosphor.uncertain else ""
-    return f"{name}  {phosphor.colour_name.split(',')[0]}, {1e3 * phosphor.t10_s:.3g} ms{doubt}"
+    """A phosphor as everywhere, and whether its time is to be doubted."""
+    doubtful = name != COLOUR_TUBE and Phosphor.named(name).uncertain
+    return phosphor_title(name) + (_(" (uncertain)") if doubtful else "")

@@ -271,9 +271,10 @@ class BufferDock(QScrollArea):
             widget.setEnabled(bool(table) and not direct)
         self.load.setEnabled(not direct)
         self.add.setEnabled(not direct and len(table) < 1 << depth)
-        self._complain(table_fault(depth, table))
-        self._show_entry()
         scan = self._setting.scan
+        kept = bool(table) and scan is not None and not scan.buffer.loss.changed
+        self._complain("" if kept and len(table) <= 1 << depth else table_fault(depth, table))
+        self._show_entry()
         self.loss.setText("" if scan is None else loss_text(scan.buffer))
         self._resting.start()
 

@@ -4,7 +4,7 @@ from functools import partial
 
 from msgspec.structs import replace
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QScrollArea, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QCheckBox, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from workbench.display.flicker import modulation
 from workbench.display.setup import phosphor_choices
@@ -15,6 +15,7 @@ from workbench.panels.display.raster.setting import RasterSetting
 from workbench.panels.shared.tube_feed import setup_of
 from workbench.panels.stage.card import number_field
 from workbench.rendering.subjects.raster import NUMBERS, SHEET, typed
+from workbench.widgets.fields.choice_box import ChoiceBox
 from workbench.widgets.fields.number_field import NumberField
 from workbench.widgets.look.flow_layout import flowing
 from workbench.widgets.look.in_sight import InSight
@@ -39,13 +40,11 @@ class ModeDock(QScrollArea):
         self.setFrameShape(QScrollArea.Shape.NoFrame)
         self.setWidgetResizable(True)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.phosphor = QComboBox()
+        self.phosphor = ChoiceBox(10)
         for name in phosphor_choices():
             self.phosphor.addItem(phosphor_title(name), name)
         self.phosphor.setAccessibleName(_("Phosphor"))
         self.phosphor.setToolTip(_("What the screen is coated with, and the time in which it decays to 10 %"))
-        self.phosphor.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
-        self.phosphor.setMinimumContentsLength(10)
         tell_choice(self.phosphor)
         self.phosphor.activated.connect(self._choose_phosphor)
         self.fields: dict[str, NumberField] = {}

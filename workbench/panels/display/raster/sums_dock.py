@@ -8,7 +8,6 @@ from html import escape
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import (
-    QComboBox,
     QGridLayout,
     QHBoxLayout,
     QLabel,
@@ -36,6 +35,7 @@ from workbench.panels.display.raster.sums import (
 from workbench.panels.stage.card import number_field
 from workbench.panels.stage.folding_card import fill_choices
 from workbench.rendering.subjects.raster import NUMBERS, SHEET, TYPED, depth_of
+from workbench.widgets.fields.choice_box import ChoiceBox
 from workbench.widgets.fields.number_field import NumberField
 from workbench.widgets.look.in_sight import InSight
 from workbench.widgets.look.tips import tell_choice
@@ -76,8 +76,7 @@ class SumsDock(QWidget):
         self._setting = setting
         self._pixel: Pixel = (0, 0)
         self.sums: list[Sum] = []
-        self.source = QComboBox()
-        self.source.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+        self.source = ChoiceBox()
         self.source.setAccessibleName(_("Sums of"))
         self.source.setToolTip(
             _("Work the sums out for what the tube scans, for a mode, or for your own numbers")

@@ -6,7 +6,6 @@ from msgspec.structs import replace
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
     QCheckBox,
-    QComboBox,
     QLabel,
     QSizePolicy,
     QWidget,
@@ -21,6 +20,7 @@ from workbench.panels.display.controls import phosphor_title
 from workbench.panels.stage.folding_card import fill_choices
 from workbench.rendering.subjects.random_scan import ARGUMENTS, display_of, is_ordered, lines_of, runs_a_list
 from workbench.session.session import Session
+from workbench.widgets.fields.choice_box import ChoiceBox
 from workbench.widgets.fields.number_field import NumberField, complaint_label
 from workbench.widgets.look.flow_layout import flowing
 from workbench.widgets.look.tips import tell_choice
@@ -43,7 +43,7 @@ class VectorBar(QWidget):
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._session = session
-        self.display, self.phosphor = QComboBox(), QComboBox()
+        self.display, self.phosphor = ChoiceBox(9), ChoiceBox(9)
         self.ordered = QCheckBox(_("Nearest end first"))
         self.storage = QCheckBox(_("Storage tube"))
         self.complaint = complaint_label()
@@ -65,8 +65,6 @@ class VectorBar(QWidget):
             widget.setAccessibleName(name)
             widget.setToolTip(tip)
         for box in (self.display, self.phosphor):
-            box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
-            box.setMinimumContentsLength(9)
             box.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
             tell_choice(box)
         self.fields = {name: self._field(name, *words) for name, words in _FIELDS.items()}

@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 from workbench.document.subjects import Subject
 from workbench.exchange.diagrams import Derivation
 from workbench.exchange.tables import Table
-from workbench.language import _
+from workbench.language import _, ngettext
 from workbench.panels.display.vector.architecture import Working, architecture, told
 from workbench.panels.display.vector.bar import VectorBar
 from workbench.panels.display.vector.derivation import derivation
@@ -211,9 +211,12 @@ class VectorPage(PlainPage, QWidget):
         self.nothing.setVisible(not len(run.program))
         self.table.model.take(run.program, run.budget.time, self.session.sheet.palette, run.locked)
         self.table.show_address(run.address)
+        n, strokes, jumps = len(run.program), len(run.program.strokes), run.program.moves
         self.table.summary.setText(
-            _("{n:,} instructions, {strokes:,} strokes, {jumps:,} jumps").format(
-                n=len(run.program), strokes=len(run.program.strokes), jumps=run.program.moves
+            _("{instructions}, {strokes}, {jumps}").format(
+                instructions=ngettext("{n:,} instruction", "{n:,} instructions", n).format(n=n),
+                strokes=ngettext("{n:,} stroke", "{n:,} strokes", strokes).format(n=strokes),
+                jumps=ngettext("{n:,} jump", "{n:,} jumps", jumps).format(n=jumps),
             )
         )
         for action in self.table.changes:

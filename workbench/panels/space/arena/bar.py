@@ -10,6 +10,7 @@ from workbench.language import _
 from workbench.panels.space.visibility.card import COLUMNS
 from workbench.panels.stage.folding_card import fill_choices
 from workbench.rendering.subjects.visibility import size_of
+from workbench.widgets.fields.choice_box import ChoiceBox
 
 _LEAST_LETTERS = 8
 
@@ -22,7 +23,7 @@ class ArenaBar(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.ready, self.size_box = QComboBox(), QComboBox()
+        self.ready, self.size_box = ChoiceBox(_LEAST_LETTERS), QComboBox()
         self.ready.setAccessibleName(_("Ready scenes"))
         self.ready.setToolTip(_("Open a scene in which some methods are known to fail, and see why"))
         self.ready.setPlaceholderText(_("Ready scenes"))
@@ -30,8 +31,6 @@ class ArenaBar(QWidget):
             self.ready.addItem(example(slug).title, slug)
             self.ready.setItemData(number, example(slug).description, Qt.ItemDataRole.ToolTipRole)
         self.ready.setCurrentIndex(-1)
-        self.ready.setMinimumContentsLength(_LEAST_LETTERS)
-        self.ready.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         self.ready.activated.connect(lambda k: self.scene_wanted.emit(self.ready.itemData(k)))
         self.size_box.setAccessibleName(_("Size of the pictures"))
         self.size_box.setToolTip(

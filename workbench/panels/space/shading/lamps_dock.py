@@ -10,7 +10,6 @@ from PySide6.QtGui import QColor
 from PySide6.QtWidgets import (
     QCheckBox,
     QColorDialog,
-    QComboBox,
     QGridLayout,
     QHBoxLayout,
     QLabel,
@@ -29,6 +28,7 @@ from workbench.language import _
 from workbench.panels.space.looking import light_moved_to
 from workbench.panels.space.shading.light_faults import word_of
 from workbench.session.session import Session
+from workbench.widgets.fields.choice_box import ChoiceBox
 from workbench.widgets.fields.number_field import NumberField
 from workbench.widgets.look.icons import set_icon
 from workbench.widgets.look.tips import tell_choice
@@ -50,7 +50,7 @@ class LampsDock(QScrollArea):
         self._listed: tuple[object, ...] = ()
         self._kind: type | None = None
         self.fields: dict[str, NumberField] = {}
-        self.choice = QComboBox()
+        self.choice = ChoiceBox(10)
         self.choice.setAccessibleName(_("Light or material"))
         self.choice.setToolTip(_("The light or material whose numbers are shown"))
         tell_choice(self.choice)
@@ -64,8 +64,6 @@ class LampsDock(QScrollArea):
         self.word = QLabel()
         self.word.setWordWrap(True)
         self.word.setProperty("role", "warn")
-        self.choice.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
-        self.choice.setMinimumContentsLength(10)
         top, buttons = QHBoxLayout(), QHBoxLayout()
         top.addWidget(self.choice, 1)
         top.addWidget(self.colour)
