@@ -1,4 +1,4 @@
-"""All that is told of a run can be told wherever it is cut: growing, at a limit, stopped, failed, or too deep."""
+"""A run is told wherever it is cut: while it grows, at a limit, stopped, ended by an error, or too deep."""
 
 import copy
 
@@ -73,7 +73,7 @@ def test_a_run_that_a_limit_or_a_stop_ends_is_told_up_to_there(
     length = len(run_of(entry))
     for cut in spread(length, _ENDS)[1:-1]:
         limited = run_of(entry, limit=cut)
-        assert limited.truncated and not limited.complete
+        assert limited.truncated
         tell(entry, limited)
         monkeypatch.setattr(recorder, "_SLICE", cut)
         stopped = Recorder(entry.function, *copy.deepcopy(entry.example))
