@@ -13,15 +13,16 @@ from types import ModuleType
 from typing import Any
 
 from workbench.engine.lowering import lower
+from workbench.engine.texts import ENTER, LEAVE, READING
 
 Function = Callable[..., Any]
 _FRAMES_PER_CALL = 4
 _SPARE_FRAMES = 500
-_COUNTED = """
-def call({parameters}):
-    enter()
-    reading({parameters})
-    leave()
+_COUNTED = f"""
+def call({{parameters}}):
+    {ENTER}()
+    {READING}({{passed}})
+    {LEAVE}()
 """
 
 
@@ -91,9 +92,15 @@ def collect_limited(function: Function, limit: int, *args: Any) -> Limited:
 
     def counted(reading: Function) -> Function:
         code = reading.__code__
-        around = {"reading": reading, "enter": enter, "leave": leave}
-        exec(_COUNTED.format(parameters=", ".join(code.co_varnames[: code.co_argcount])), around)
-        return around["call"]
+        placed, end = list(code.co_varnames[: code.co_argcount]), code.co_argcount + code.co_kwonlyargcount
+        named = code.co_varnames[code.co_argcount : end]
+        parameters = ", ".join([*placed, *("*" for _name in named[:1]), *named])
+        passed = ", ".join([*placed, *(f"{name}={name}" for name in named)])
+        around: dict[str, Any] = {READING: reading, ENTER: enter, LEAVE: leave}
+        exec(_COUNTED.format(parameters=parameters, passed=passed), around)
+        call = around["call"]
+        call.__defaults__, call.__kwdefaults__ = reading.__defaults__, reading.__kwdefaults__
+        return call
 
     lowered = lower(function)
     module = ModuleType(f"limited_{lowered.name}")
