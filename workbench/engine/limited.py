@@ -4,6 +4,7 @@ What is run is the lowered reading, in which an emission costs the same at any d
 call one another with plain arguments take no room on the stack of the thread, so that any thread will do.
 """
 
+import functools
 import sys
 import threading
 from collections.abc import Callable, Iterator
@@ -98,8 +99,8 @@ def collect_limited(function: Function, limit: int, *args: Any) -> Limited:
         passed = ", ".join([*placed, *(f"{name}={name}" for name in named)])
         around: dict[str, Any] = {READING: reading, ENTER: enter, LEAVE: leave}
         exec(_COUNTED.format(parameters=parameters, passed=passed), around)
-        call = around["call"]
-        call.__defaults__, call.__kwdefaults__ = reading.__defaults__, reading.__kwdefaults__
+        call: Function = around["call"]
+        functools.update_wrapper(call, reading, ("__defaults__", "__kwdefaults__"), ())
         return call
 
     lowered = lower(function)
