@@ -69,8 +69,8 @@ def test_the_run_scans_a_scene_as_soon_as_it_can_be_lit(
         monkeypatch.setattr(module, "can_be_lit", lambda _sheet: light)
     session.open_example("space-house")
     session.visit("raster", page.usual)
-    session.flush()
-    page.feed.feed()
+    qtbot.waitUntil(lambda: session.run.done and page.feed._lighting._due.isActive(), timeout=20000)
+    qtbot.wait(300)  # nothing that was asked for before is still to come
     assert not session.run.calls[0][0].any()
     light = True
     qtbot.waitUntil(lambda: bool(session.run.calls[0][0].any()), timeout=20000)
