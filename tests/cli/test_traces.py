@@ -56,8 +56,16 @@ def test_a_run_that_fails_is_said() -> None:
 def test_what_a_text_says_itself_ends_with_one_full_stop() -> None:
     entry = catalogue.get("electron_beam")
     arguments = (*entry.example[:5], np.array([]), *entry.example[6:])
-    with pytest.raises(WorkError, match=r"A tube has seven numbers: [^.]*[^.]\.$"):
+    with pytest.raises(BadInputError, match=r"was given: A tube has seven numbers: [^.]*[^.]\.$"):
         traces.run(entry, arguments)
+
+
+def test_a_face_of_a_corner_that_is_not_there_is_told_by_its_number() -> None:
+    entry = catalogue.get("depth_buffer")
+    arguments = list(copy.deepcopy(entry.example))
+    arguments[entry.parameter_names.index("faces")][0, 1] = 99
+    with pytest.raises(BadInputError, match=r"asks for an item that is not there .index 99 is out of bounds"):
+        traces.run(entry, tuple(arguments))
 
 
 @pytest.mark.parametrize(

@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tests.engine import written_texts as texts
 from workbench.algorithms import catalogue
 from workbench.algorithms.entry import Entry
 from workbench.algorithms.seed_fill.example import BOUNDED
@@ -75,6 +76,14 @@ def test_no_depth_takes_room_on_the_stack_of_the_thread() -> None:
         threading.stack_size(before)
     thread.join()
     assert (results[0].deepest, results[0].overflowed) == (20_000, True)
+
+
+def test_calls_keep_their_names_and_what_they_leave_out() -> None:
+    for function in (texts.box, texts.taking_decorators):
+        arguments = range(1, 3 if function is texts.box else 5)
+        drawn = collect_limited(function, 10, *arguments)
+        assert drawn.rows == list(function(*arguments))
+        assert not drawn.overflowed
 
 
 def test_it_begins_no_thread(monkeypatch: pytest.MonkeyPatch) -> None:

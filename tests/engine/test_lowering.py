@@ -1,5 +1,6 @@
 """The rewritten text stands alone and does what the shown one does."""
 
+import ast
 from collections.abc import Callable, Iterator
 from typing import Any
 
@@ -9,9 +10,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.engine import written_texts as texts
+from workbench.algorithms import catalogue
+from workbench.algorithms.entry import Entry
 from workbench.engine import compiled
 from workbench.engine.dialect import DialectError
-from workbench.engine.lowering import lower
+from workbench.engine.lowering import Variant, lower
+from workbench.engine.texts import DECORATORS, DRIVEN
 
 
 def interpreted(function: Callable[..., Any], *arguments: Any) -> list[tuple[Any, ...]]:
@@ -90,6 +94,9 @@ def test_self_recursion_is_noticed_and_read_as_python() -> None:
         (texts.unknown, "nowhere is not known here"),
         (texts.of_anything, "does not say what it is of"),
         (texts.of_no_list, "does not say what it is of"),
+        (texts.naming_bounds, "the name Bounds is taken"),
+        (texts.taking_count, "the name _count is taken"),
+        (texts.taking_hit, "the name Hit is taken"),
     ],
 )
 def test_what_cannot_be_lowered_names_line_and_reason(function: Callable[..., Any], words: str) -> None:
@@ -98,6 +105,32 @@ def test_what_cannot_be_lowered_names_line_and_reason(function: Callable[..., An
     first = function.__code__.co_firstlineno
     assert first <= caught.value.line <= first + 4
     assert caught.value.function == function.__name__
+
+
+@pytest.mark.parametrize("function", [texts.calling_part, texts.calling_run])
+def test_a_callee_cannot_have_a_name_of_the_module_around_it(function: Callable[..., Any]) -> None:
+    with pytest.raises(DialectError, match="this name is taken"):
+        lower(function)
+
+
+@pytest.mark.parametrize("entry", [pytest.param(entry, id=entry.slug) for entry in catalogue.entries()])
+def test_all_names_of_the_module_around_a_text_are_taken(entry: Entry) -> None:
+    variants: tuple[Variant, ...] = ("plain", "counting", "probing")
+    for variant in variants:
+        kernel = compiled.kernel(entry.function, variant=variant)
+        own = ast.parse(kernel.text.replace(kernel.lowered.text, ""))
+        bound = {node.name for node in own.body if isinstance(node, ast.FunctionDef)}
+        for node in own.body:
+            if isinstance(node, ast.ImportFrom):
+                bound |= {alias.asname or alias.name for alias in node.names}
+        assert bound <= DRIVEN
+        assert {
+            node.id
+            for function in ast.parse(kernel.text).body
+            if isinstance(function, ast.FunctionDef)
+            for node in function.decorator_list
+            if isinstance(node, ast.Name)
+        } <= DECORATORS
 
 
 def test_two_callees_of_one_name_are_refused() -> None:

@@ -83,6 +83,7 @@ def so_far(whole: Recording, count: int) -> Recording:
             part.frame_ends[call] = 0
     part._columns = whole._columns
     part.emitted = whole.emitted
+    part.call_emissions, part.call_frames = whole.call_emissions, whole.call_frames
     part.complete = whole.complete and count == whole.count
     part.count = count
     return part

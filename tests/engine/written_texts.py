@@ -163,3 +163,51 @@ def silent(k: int) -> int:
 
 def unknown(k: int) -> Iterator[tuple[int, int]]:
     yield k, nowhere  # noqa: F821
+
+
+def part(x: int) -> int:
+    return x + 1
+
+
+def _run(x: int) -> int:
+    return x + 1
+
+
+class Bounds(NamedTuple):
+    low: int
+    high: int
+
+
+def calling_part(k: int) -> Iterator[tuple[int, int]]:
+    yield k, part(k)
+
+
+def calling_run(k: int) -> Iterator[tuple[int, int]]:
+    yield k, _run(k)
+
+
+def naming_bounds(k: int) -> Iterator[tuple[int, int]]:
+    bounds = Bounds(k, k + 1)
+    yield bounds.low, bounds.high
+
+
+def taking_count(_count: int) -> Iterator[tuple[int, int]]:
+    yield _count, 0
+
+
+def taking_hit(Hit: int) -> Iterator[tuple[int, int]]:
+    yield Hit, 0
+
+
+def taking_decorators(
+    reading: int, part: int, enter: int, leave: int, call: int = 5
+) -> Iterator[tuple[int, int]]:
+    """Names that mean nothing where they are a text's own."""
+    yield reading + part, enter + leave
+    if call > 3:
+        yield from taking_decorators(reading, part, enter=enter, leave=leave, call=call - 2)
+        yield from taking_keywords(reading, of=enter)
+
+
+def taking_keywords(k: int, step: int = 2, *, of: int, past: int = 7) -> Iterator[tuple[int, int]]:
+    yield k * step, of + past

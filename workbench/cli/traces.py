@@ -18,19 +18,16 @@ from workbench.language import _
 def run(entry: Entry, arguments: tuple[Any, ...]) -> Recording:
     """The whole run, recorded. Raises WorkError when it fails or is too long to record.
 
-    Raises BadInputError when it fails because the arrays given are not of the shapes that the text reads.
+    Raises BadInputError when it fails because of the values, shapes or indexes given.
     """
-    given = _shapes(entry, arguments)
     recording = record(entry.function, *arguments)
     if recording.error is not None:
-        if given and _reads_beside(recording.error.exception):
-            sentence = _(
-                "{slug} cannot use arrays of these shapes, {given}; in its example they are {example}."
-            )
-            example = _shapes(entry, entry.example)
-            raise BadInputError(sentence.format(slug=entry.slug, given=given, example=example))
-        error = str(recording.error).rstrip(".")  # what a text says itself may be a sentence
-        raise WorkError(_("{slug} stopped with an error, {error}.").format(slug=entry.slug, error=error))
+        refusal = _refusal(entry, arguments, recording.error.exception)
+        if refusal:
+            raise BadInputError(refusal)
+        raise WorkError(
+            _("{slug} stopped with an error, {error}.").format(slug=entry.slug, error=recording.error)
+        )
     if recording.truncated:
         raise WorkError(
             _("{slug} is not done after {count} lines, the most that are recorded.").format(
@@ -40,11 +37,23 @@ def run(entry: Entry, arguments: tuple[Any, ...]) -> Recording:
     return recording
 
 
-def _reads_beside(exception: BaseException) -> bool:
-    """Whether a text read what an array does not have, or took a row apart into more or fewer numbers."""
-    return isinstance(exception, IndexError) or (
-        isinstance(exception, ValueError) and "values to unpack" in str(exception)
-    )
+def _refusal(entry: Entry, arguments: tuple[Any, ...], exception: BaseException) -> str:
+    """What is wrong with what was given, where that is why the text failed; else an empty text."""
+    given = _shapes(entry, arguments)
+    if given and isinstance(exception, IndexError):
+        sentence = _(
+            "{slug} asks for an item that is not there ({error}): its arrays are {given}; in its example "
+            "they are {example}."
+        )
+    elif given and isinstance(exception, ValueError) and "values to unpack" in str(exception):
+        sentence = _("{slug} cannot use arrays of these shapes, {given}; in its example they are {example}.")
+    elif isinstance(exception, ValueError):
+        sentence = _("{slug} cannot use what it was given: {error}.")
+    else:
+        return ""
+    error = str(exception).rstrip(".")  # what a text says itself may be a sentence
+    example = _shapes(entry, entry.example)
+    return sentence.format(slug=entry.slug, error=error, given=given, example=example)
 
 
 def _shapes(entry: Entry, arguments: tuple[Any, ...]) -> str:

@@ -4,6 +4,7 @@ What is run is the lowered reading, in which an emission costs the same at any d
 call one another with plain arguments take no room on the stack of the thread, so that any thread will do.
 """
 
+import functools
 import sys
 import threading
 from collections.abc import Callable, Iterator
@@ -13,15 +14,16 @@ from types import ModuleType
 from typing import Any
 
 from workbench.engine.lowering import lower
+from workbench.engine.texts import ENTER, LEAVE, READING
 
 Function = Callable[..., Any]
 _FRAMES_PER_CALL = 4
 _SPARE_FRAMES = 500
-_COUNTED = """
-def call({parameters}):
-    enter()
-    reading({parameters})
-    leave()
+_COUNTED = f"""
+def call({{parameters}}):
+    {ENTER}()
+    {READING}({{passed}})
+    {LEAVE}()
 """
 
 
@@ -91,9 +93,15 @@ def collect_limited(function: Function, limit: int, *args: Any) -> Limited:
 
     def counted(reading: Function) -> Function:
         code = reading.__code__
-        around = {"reading": reading, "enter": enter, "leave": leave}
-        exec(_COUNTED.format(parameters=", ".join(code.co_varnames[: code.co_argcount])), around)
-        return around["call"]
+        placed, end = list(code.co_varnames[: code.co_argcount]), code.co_argcount + code.co_kwonlyargcount
+        named = code.co_varnames[code.co_argcount : end]
+        parameters = ", ".join([*placed, *("*" for _name in named[:1]), *named])
+        passed = ", ".join([*placed, *(f"{name}={name}" for name in named)])
+        around: dict[str, Any] = {READING: reading, ENTER: enter, LEAVE: leave}
+        exec(_COUNTED.format(parameters=parameters, passed=passed), around)
+        call: Function = around["call"]
+        functools.update_wrapper(call, reading, ("__defaults__", "__kwdefaults__"), ())
+        return call
 
     lowered = lower(function)
     module = ModuleType(f"limited_{lowered.name}")

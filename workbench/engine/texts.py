@@ -9,17 +9,28 @@ from dataclasses import dataclass
 from types import FunctionType
 from typing import Any
 
+from workbench.engine import sinks
 from workbench.engine.blocks import blocks
 from workbench.engine.choices import CHOSEN, TAKEN
 from workbench.engine.dialect import DialectError, refusals
 from workbench.engine.empty_lists import empty_lists, records_in
 from workbench.engine.parsing import parse_expression, parse_module
 from workbench.engine.places import BESIDE, PLACE
+from workbench.engine.stopping import Stopped
 from workbench.language import _
 
 # Names that the rewritten text brings with it.
 SINK, VISIT = "_sink", "_visit"
-RESERVED = {SINK, VISIT, PLACE, BESIDE, CHOSEN, TAKEN, "emit", "tick", "probe"}
+ENTER, READING, LEAVE = "_enter", "_reading", "_leave"
+RESERVED = {SINK, VISIT, PLACE, BESIDE, CHOSEN, TAKEN, ENTER, READING, LEAVE, "emit", "tick", "probe"}
+
+# Names at the top of its module: decorators, the drivers behind it, and the sinks that those hand over.
+DECORATORS = {"part", "reading"}
+DRIVEN = {
+    *("_collect", "_collect_many", "_run", "_painted", "_extent", "_paint", "_paint_many", "_paint_batch"),
+    *("_hits", "_count", "_probe", Stopped.__name__),
+    *(name for name, value in vars(sinks).items() if hasattr(value, "_fields")),
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,11 +86,17 @@ def gather(
         follow(painter)
     follow(function)
     names: dict[str, FunctionType] = {}
+    taken = RESERVED | DECORATORS | DRIVEN
     for text in order:
         if names.setdefault(text.name, text.function) is not text.function:
             raise text.error(_("two functions of this name are called; give one of them another name"))
-        if text.name in RESERVED:
+        if text.name in taken:
             raise text.error(_("this name is taken; give it another one"))
+        for name in sorted(text.constants.keys() & taken):
+            raise text.error(_("the name {name} is taken").format(name=name))
+    for name in (argument.arg for argument in parameters(order[-1].tree)):
+        if name.startswith("_") or name in DRIVEN:
+            raise order[-1].error(_("the name {name} is taken").format(name=name))
     if not order[-1].generator:
         raise order[-1].error(_("nothing is emitted; add a yield"))
     return order

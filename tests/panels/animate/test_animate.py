@@ -91,6 +91,14 @@ def test_a_double_click_and_the_letter_k_set_keys(qtbot, panel: AnimatePanel) ->
     assert frames_on(panel, 1) == [0, 20, 33, 58]
 
 
+def test_a_key_with_ctrl_goes_to_no_frame(qtbot, panel: AnimatePanel) -> None:
+    frames = panel.session.frames
+    for held, number in ((Qt.KeyboardModifier.ControlModifier, 0), (Qt.KeyboardModifier.NoModifier, 58)):
+        qtbot.keyClick(panel, Qt.Key.Key_End, held)
+        settle()
+        assert frames.number == number
+
+
 def test_the_keyboard_goes_from_frame_to_frame_and_from_track_to_track(qtbot, panel: AnimatePanel) -> None:
     timeline, frames = panel.timeline, panel.session.frames
     timeline.setFocus()

@@ -259,6 +259,19 @@ def test_buttons_and_keys_step(run: Run, bar: Steps, qtbot: QtBot) -> None:
     assert bar.bar.jump.text() == "7"
 
 
+@pytest.mark.parametrize("held", ["ControlModifier", "AltModifier", "MetaModifier", "ShiftModifier"])
+def test_a_key_with_another_held_is_no_step_and_one_of_the_keypad_is(
+    run: Run, bar: Steps, qtbot: QtBot, held: str
+) -> None:
+    run.go_to_number(4)
+    for key in (Qt.Key.Key_End, Qt.Key.Key_Left, Qt.Key.Key_Home, Qt.Key.Key_Right, Qt.Key.Key_Space):
+        qtbot.keyClick(bar.bar, key, Qt.KeyboardModifier[held])
+        assert run.position == 4
+        assert not run.playing
+    qtbot.keyClick(bar.bar, Qt.Key.Key_End, Qt.KeyboardModifier.KeypadModifier)
+    assert run.position == 10
+
+
 def test_the_slider_scrubs_and_marks_decisions(run: Run, bar: Steps, qtbot: QtBot) -> None:
     slider = bar.bar.slider
     assert slider.maximum() == 10

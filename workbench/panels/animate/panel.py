@@ -364,9 +364,11 @@ class AnimatePanel(SteppedPanel):
         """Home, End and Space are for the frames."""
         frames = self.session.frames
         ends = {Qt.Key.Key_Home: 0, Qt.Key.Key_End: frames.count - 1}
-        if (key := Qt.Key(event.key())) in ends:
+        plain = not event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier
+        key = Qt.Key(event.key())
+        if plain and key in ends:
             frames.show(ends[key])
-        elif key == Qt.Key.Key_Space:
+        elif plain and key == Qt.Key.Key_Space:
             frames.toggle()
         else:
             super().keyPressEvent(event)

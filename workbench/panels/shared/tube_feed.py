@@ -57,13 +57,18 @@ class TubeFeed(QObject):
         self._resting.setSingleShot(True)
         self._resting.setInterval(_SETTLE_MS)
         self._resting.timeout.connect(self.feed)
-        self._lighting = Lighting(self.feed, self)
+        self._lighting = Lighting(self._again, self)
         session.changed.connect(self._changed)
         for told in (session.state_changed, session.run.asked, session.unfolding.grown):
             told.connect(self.feed)
         session.storing.connect(self._keep_time)
         for view in views:
             view.shown.connect(self.feed)
+
+    def _again(self) -> None:
+        """A run that is made of the picture follows what can be lit by now, as the tube does."""
+        self._session.flush()
+        self.feed()
 
     def _changed(self) -> None:
         if not self._resting.isActive():

@@ -42,7 +42,7 @@ from workbench.panels.stage.empty import EmptyState
 from workbench.panels.stage.plain_page import PlainPage
 from workbench.rendering.subjects.projection import KIND, clips, is_of_a_vertex, seen_from
 from workbench.session.session import Session
-from workbench.widgets.stepping.step_bar import stepping_keys
+from workbench.widgets.stepping.step_bar import stepping_key
 
 _CARD_GAP_PX = 8
 _REST_MS = 50
@@ -259,7 +259,7 @@ class ProjectionPage(ViewCommands, PlainPage, QWidget):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Keys that the views left step the run."""
-        do = None if event.modifiers() else stepping_keys(self.session.run).get(event.key())
+        do = stepping_key(self.session.run, event)
         if do is None:
             super().keyPressEvent(event)
         else:

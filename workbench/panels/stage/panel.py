@@ -370,13 +370,11 @@ class FigurePanel(ChosenFigures, QWidget):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Keys that the canvas left: Home, End and Space for the run, Enter for the tool, Delete."""
-        key = event.key()
-        if key == Qt.Key.Key_Home:
-            self.session.run.first()
-        elif key == Qt.Key.Key_End:
-            self.session.run.last()
-        elif key == Qt.Key.Key_Space:
-            self.session.run.toggle_play()
+        key, run = event.key(), self.session.run
+        plain = not event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier
+        keys = {Qt.Key.Key_Home: run.first, Qt.Key.Key_End: run.last, Qt.Key.Key_Space: run.toggle_play}
+        if plain and key in keys:
+            keys[Qt.Key(key)]()
         elif key in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
             self.tool.finish()
             self.session.hold_runs(self.gesturing)

@@ -24,7 +24,7 @@ from workbench.rendering.subjects.space_chain import (
     vertex_of,
 )
 from workbench.session.session import Session
-from workbench.widgets.stepping.step_bar import stepping_keys
+from workbench.widgets.stepping.step_bar import stepping_key
 
 EXAMPLE = "transform-axis"
 SLUG = "transform_space"
@@ -154,7 +154,7 @@ class SpacePage(QWidget):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Keys that the picture left step the run."""
-        do = None if event.modifiers() else stepping_keys(self._session.run).get(event.key())
+        do = stepping_key(self._session.run, event)
         if do is None:
             super().keyPressEvent(event)
         else:

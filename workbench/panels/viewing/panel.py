@@ -368,7 +368,8 @@ class ViewingPanel(PlainPanel, QWidget):
         """Home, End and Space for the run."""
         run = self.session.run
         keys = {Qt.Key.Key_Home: run.first, Qt.Key.Key_End: run.last, Qt.Key.Key_Space: run.toggle_play}
-        do = keys.get(Qt.Key(event.key()))
+        plain = not event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier
+        do = keys.get(Qt.Key(event.key())) if plain else None
         if do is None:
             super().keyPressEvent(event)
         else:

@@ -20,15 +20,18 @@ _DIGITS = 6  # for which there is room in any case
 _FRAME = 20  # around the digits
 
 
-def stepping_keys(run: Run) -> dict[int, Callable[[], object]]:
-    """What plays a run, steps it and goes to its ends, by key."""
-    return {
+def stepping_key(run: Run, event: QKeyEvent) -> Callable[[], object] | None:
+    """What a key does that plays a run, steps it or goes to its ends; None for any other, and with Ctrl."""
+    if event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier:
+        return None
+    keys: dict[int, Callable[[], object]] = {
         Qt.Key.Key_Space: run.toggle_play,
         Qt.Key.Key_Right: run.forward,
         Qt.Key.Key_Left: run.back,
         Qt.Key.Key_Home: run.first,
         Qt.Key.Key_End: run.last,
     }
+    return keys.get(event.key())
 
 
 class StepBar(QWidget):
@@ -215,7 +218,7 @@ class StepBar(QWidget):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Space plays, arrows step, Home and End go to the ends, wherever the bar has the focus."""
-        do = stepping_keys(self._run).get(event.key())
+        do = stepping_key(self._run, event)
         if do is None:
             super().keyPressEvent(event)
         else:

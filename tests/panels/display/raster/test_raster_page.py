@@ -18,6 +18,9 @@ from workbench.panels.display.panel import DisplayPanel
 from workbench.panels.display.raster.page import RasterPage
 from workbench.panels.display.raster.sums import text_of
 from workbench.panels.display.raster.sums_dock import with_levels
+from workbench.panels.shared import lighting
+from workbench.rendering.scene import backdrop
+from workbench.rendering.subjects import raster
 from workbench.session.session import Session
 
 
@@ -56,6 +59,22 @@ def test_the_page_steps_the_frame_buffer_line_by_line(
         assert "held" in page.note.text()
     session.run.first()
     qtbot.waitUntil(lambda: not page.tube.held)
+
+
+def test_the_run_scans_a_scene_as_soon_as_it_can_be_lit(
+    page: RasterPage, session: Session, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    light = False
+    for module in (backdrop, lighting, raster):
+        monkeypatch.setattr(module, "can_be_lit", lambda _sheet: light)
+    session.open_example("space-house")
+    session.visit("raster", page.usual)
+    qtbot.waitUntil(lambda: session.run.done and page.feed._lighting._due.isActive(), timeout=20000)
+    qtbot.wait(300)  # nothing that was asked for before is still to come
+    assert not session.run.calls[0][0].any()
+    light = True
+    qtbot.waitUntil(lambda: bool(session.run.calls[0][0].any()), timeout=20000)
+    assert page.tube._image.any()
 
 
 def test_in_detail_the_beam_stands_at_the_pixel(page: RasterPage, session: Session, qtbot: QtBot) -> None:

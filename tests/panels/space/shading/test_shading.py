@@ -96,6 +96,15 @@ def test_a_distant_light_keeps_its_length_and_turns(page: ShadingPage) -> None:
     assert turned.xyz[0] > light.position.x
 
 
+def test_a_key_with_ctrl_does_not_step(qtbot: QtBot, page: ShadingPage) -> None:
+    played: list[bool] = []
+    page.session.run.toggle_play = lambda: played.append(True)  # type: ignore[method-assign]
+    qtbot.keyClick(page, Qt.Key.Key_Space, Qt.KeyboardModifier.ControlModifier)
+    assert not played
+    qtbot.keyClick(page, Qt.Key.Key_Space)
+    assert played == [True]
+
+
 def test_numbers_of_lights_and_materials_are_typed(qtbot: QtBot, page: ShadingPage) -> None:
     lamps = page.lamps
     for name, text in (("a1", "0.25"), ("position.y", "30/10"), ("intensity", "2")):

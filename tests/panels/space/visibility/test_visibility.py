@@ -267,6 +267,8 @@ def test_keys_step_and_ask(qtbot, page, session):
     QApplication.processEvents()
     qtbot.keyClick(page.canvas, Qt.Key.Key_Right)
     assert session.run.number == 1
+    qtbot.keyClick(page, Qt.Key.Key_End, Qt.KeyboardModifier.ControlModifier)
+    assert session.run.number == 1
     qtbot.keyClick(page.canvas, Qt.Key.Key_End)
     assert session.run.number == 893
     qtbot.keyClick(page.canvas, Qt.Key.Key_Home)

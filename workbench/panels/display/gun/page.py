@@ -25,7 +25,7 @@ from workbench.panels.stage.plain_page import PlainPage
 from workbench.rendering.subjects.gun import KIND, is_of_a_gun
 from workbench.session.session import Session
 from workbench.widgets.look.comfort import comfort
-from workbench.widgets.stepping.step_bar import stepping_keys
+from workbench.widgets.stepping.step_bar import stepping_key
 from workbench.widgets.tube.gun_view import GunView
 from workbench.widgets.tube.steered_tube import SteeredTube
 
@@ -203,7 +203,7 @@ class GunPage(PlainPage, QWidget):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Keys that drawing and screen left step the run."""
-        do = None if event.modifiers() else stepping_keys(self.session.run).get(event.key())
+        do = stepping_key(self.session.run, event)
         if do is None:
             super().keyPressEvent(event)
         else:

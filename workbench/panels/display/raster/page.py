@@ -29,7 +29,7 @@ from workbench.session.session import Session
 from workbench.widgets.look.comfort import comfort
 from workbench.widgets.look.flow_layout import FlowArea
 from workbench.widgets.look.icons import set_icon
-from workbench.widgets.stepping.step_bar import stepping_keys
+from workbench.widgets.stepping.step_bar import stepping_key
 from workbench.widgets.tube.raster_view import RasterView
 from workbench.widgets.tube.timing_diagram import TimingDiagram
 
@@ -320,7 +320,7 @@ class RasterPage(PlainPage, QWidget):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Home, End and Space are for the run."""
-        do = None if event.modifiers() else stepping_keys(self.session.run).get(event.key())
+        do = stepping_key(self.session.run, event)
         if do is None:
             super().keyPressEvent(event)
         else:

@@ -38,7 +38,7 @@ from workbench.session.session import Session
 from workbench.widgets.formulas.drawing_view import DrawingView
 from workbench.widgets.look.icons import set_icon
 from workbench.widgets.plots.refresh_plot import RefreshPlot
-from workbench.widgets.stepping.step_bar import stepping_keys
+from workbench.widgets.stepping.step_bar import stepping_key
 from workbench.widgets.tube.storage_view import StorageView
 from workbench.widgets.tube.stroke_view import StrokeView
 
@@ -305,8 +305,8 @@ class VectorPage(PlainPage, QWidget):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Home, End and Space of the list are for the run."""
-        if event.type() == QEvent.Type.KeyPress and isinstance(event, QKeyEvent) and not event.modifiers():
-            act = stepping_keys(self.session.run).get(Qt.Key(event.key()))
+        if event.type() == QEvent.Type.KeyPress and isinstance(event, QKeyEvent):
+            act = stepping_key(self.session.run, event)
             if act is not None:
                 act()
                 return True

@@ -37,7 +37,7 @@ from workbench.widgets.canvas.overlay import Overlay
 from workbench.widgets.canvas.pixel_canvas import PixelCanvas
 from workbench.widgets.look.icons import set_icon
 from workbench.widgets.look.tokens import theme_changed, tokens
-from workbench.widgets.stepping.step_bar import stepping_keys
+from workbench.widgets.stepping.step_bar import stepping_key
 
 PAGE = "shading"
 
@@ -289,7 +289,7 @@ class ShadingPage(PlainPage, QWidget):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Home, End and Space are for the run."""
-        do = stepping_keys(self.session.run).get(event.key())
+        do = stepping_key(self.session.run, event)
         if do is None:
             super().keyPressEvent(event)
         else:

@@ -59,7 +59,7 @@ from workbench.widgets.canvas.pixel_canvas import PixelCanvas
 from workbench.widgets.canvas.row_depths import RowDepths
 from workbench.widgets.look.icons import set_icon
 from workbench.widgets.look.tokens import theme_changed, tokens
-from workbench.widgets.stepping.step_bar import stepping_keys
+from workbench.widgets.stepping.step_bar import stepping_key
 
 CARD_GAP_PX = 8
 _MOST_MARKED = 400
@@ -379,7 +379,7 @@ class VisibilityPage(PlainPage, QWidget):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Home, End and Space are for the run."""
-        do = stepping_keys(self.session.run).get(event.key())
+        do = stepping_key(self.session.run, event)
         if do is None:
             super().keyPressEvent(event)
         else:
