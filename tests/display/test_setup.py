@@ -8,8 +8,16 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
 
+from workbench.display import setup as module
 from workbench.display import vector_displays
-from workbench.display.setup import TubeSetup, currents_of_image, raster_tube, vector_beam, vector_tube
+from workbench.display.setup import (
+    TubeSetup,
+    currents_of_image,
+    mm_of,
+    raster_tube,
+    vector_beam,
+    vector_tube,
+)
 from workbench.display.vector_timing import VectorTiming
 
 SIZE = (96, 72)
@@ -93,6 +101,35 @@ def test_a_stroke_costs_no_more_than_the_face_has_of_it(far: float) -> None:
     assert away.pieces == []
     face = slice(None), slice(8, -8)
     assert beyond.energy_per_frame(0)[face] == pytest.approx(within.energy_per_frame(0)[face], rel=1e-3)
+
+
+def test_only_strokes_that_reach_beyond_the_face_are_cut(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Strokes keep their order and their colours; one that misses the face goes, and one across it is cut."""
+    cut: list[tuple[float, ...]] = []
+
+    def counted(*numbers: float) -> object:
+        cut.append(numbers)
+        return clipped(*numbers)
+
+    clipped = module.liang_barsky
+    monkeypatch.setattr(module, "liang_barsky", counted)
+    setup = TubeSetup(gamma=1.0)
+    tube = vector_tube(PICTURE, SIZE, setup, np.float64)
+    here = [(k % 20, k % 15, (k + 3) % 20, k % 15, 0x010101 * k) for k in range(1, 200)]
+    away, across = (10, 400, 900, 400, 0xFFFFFF), (5, 7, 5000, 7, 0xC0C0C0)
+    beam = vector_beam(tube, [*here[:90], away, *here[90:150], across, *here[150:]], PICTURE, setup)
+    assert len(cut) == 2
+    drawn = [segment for segment in beam.segments if segment.kind == "stroke"]
+    levels = [*range(1, 151), 0xC0, *range(151, 200)]
+    assert [segment.currents[0] for segment in drawn] == pytest.approx([level / 255 for level in levels])
+    straight = vector_beam(tube, here, PICTURE, setup)
+    ends = [(segment.begin, segment.end) for segment in drawn]
+    assert ends[:150] + ends[151:] == [
+        (segment.begin, segment.end) for segment in straight.segments if segment.kind == "stroke"
+    ]
+    (x0, y0), (x1, y1) = ends[150]
+    assert (x0, y0, y1) == pytest.approx((*mm_of(5, 7, PICTURE), mm_of(5, 7, PICTURE)[1]))
+    assert x1 == pytest.approx(tube.size_mm[0] + tube.reach * tube.spot_mm)
 
 
 @given(

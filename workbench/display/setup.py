@@ -208,17 +208,15 @@ def _where_lit(tube: Tube, strokes: StrokeTable) -> StrokeTable:
     """Of each stroke what the spot can light the face from; those that cannot are left out."""
     margin = tube.reach * tube.spot_mm
     low, high = np.full(2, -margin), np.array(tube.size_mm) + margin
-    inside = np.asarray(((strokes.ends >= low) & (strokes.ends <= high)).all(axis=(1, 2)))
-    if inside.all():
-        return strokes
-    ends, of = [], []
-    for number, stroke in enumerate(strokes.ends.reshape(-1, 4).tolist()):
-        kept = [tuple(stroke)] if inside[number] else liang_barsky(*stroke, *low.tolist(), *high.tolist())
-        for part in kept:
-            ends.append(part)
-            of.append(number)
-    table = np.array(ends, np.float64).reshape(-1, 2, 2)
-    return StrokeTable(table, strokes.currents[np.array(of, np.int64)])
+    lit = np.ones(len(strokes.ends), np.bool_)
+    ends = strokes.ends.copy()
+    beyond = ((ends < low) | (ends > high)).reshape(-1, 4)
+    for number in np.unique(np.nonzero(beyond)[0]).tolist():
+        parts = list(liang_barsky(*ends[number].ravel().tolist(), *low.tolist(), *high.tolist()))
+        lit[number] = bool(parts)
+        if parts:
+            ends[number] = np.reshape(parts[0], (2, 2))
+    return StrokeTable(ends, strokes.currents) if lit.all() else StrokeTable(ends[lit], strokes.currents[lit])
 
 
 def vector_beam(

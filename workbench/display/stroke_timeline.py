@@ -76,9 +76,10 @@ def timeline(
     count = len(strokes.ends)
     starts, stops = strokes.ends[:, 0], strokes.ends[:, 1]
     before = np.roll(stops, 1, axis=0)
-    jumps = timing.jumps_ps(np.abs(starts - before).max(axis=1, initial=0.0) * units_per_mm)
-    moved = (starts != before).any(axis=1)
-    lit = timing.strokes_ps(np.abs(stops - starts).max(axis=1, initial=0.0) * units_per_mm)
+    distances = _longer_ways(before, starts)
+    jumps = timing.jumps_ps(distances * units_per_mm)
+    moved = distances > 0.0
+    lit = timing.strokes_ps(_longer_ways(starts, stops) * units_per_mm)
     durations = np.zeros(3 * count + 1, np.int64)
     durations[0:-1:3], durations[1:-1:3], durations[2:-1:3] = jumps, moved * timing.settle_ps, lit
     durations[-1] = max(max(timing.min_frame_ps, min_frame_ps, 1) - int(durations.sum()), 0)
@@ -89,10 +90,18 @@ def timeline(
     kinds, numbers = np.full(3 * count + 1, WAIT), np.full(3 * count + 1, -1)
     kinds[:-1] = np.tile([JUMP, SETTLE, STROKE], count)
     numbers[2:-1:3] = np.arange(count)
-    there = durations > 0
-    durations = durations[there]
+    # By number, as rows of two are picked by a mask ten times as slowly
+    there = np.flatnonzero(durations > 0)
+    kinds, durations, numbers = kinds[there], durations[there], numbers[there]
     clock = np.cumsum(durations) - durations
-    return Timeline(kinds[there], clock, durations, begin[there], end[there], numbers[there])
+    return Timeline(kinds, clock, durations, begin.take(there, axis=0), end.take(there, axis=0), numbers)
+
+
+def _longer_ways(begins: Floats, ends: Floats) -> Floats:
+    """The longer of the two components of each way, (n,)."""
+    x, y = np.abs(ends - begins).T
+    longer: Floats = np.maximum(x, y)
+    return longer
 
 
 def with_dark(currents: Floats, guns: int, blanked: float) -> Floats:

@@ -136,7 +136,8 @@ class VectorBeam:
         frame = self.timeline
         shining = np.asarray((self._currents > 0.0).any(axis=1))
         lit = np.flatnonzero(shining[frame.stroke])
-        begins, ways = frame.begin[lit], frame.end[lit] - frame.begin[lit]
+        begins = frame.begin.take(lit, axis=0)
+        ways = frame.end.take(lit, axis=0) - begins
         counts = np.maximum(np.ceil(np.hypot(*ways.T) / longest_mm), 1).astype(np.int64)
         of = np.repeat(np.arange(len(lit)), counts)
         number = np.arange(len(of)) - (np.cumsum(counts) - counts)[of]
@@ -145,8 +146,9 @@ class VectorBeam:
         there = last > first
         of, first, last, durations = of[there], first[there], last[there], durations[there]
         self._starts, self._ends = frame.start_ps[lit][of] + first, frame.start_ps[lit][of] + last
-        self._begins = begins[of] + ways[of] * (first / durations)[:, None]
-        self._stops = begins[of] + ways[of] * (last / durations)[:, None]
+        begins, ways = begins.take(of, axis=0), ways.take(of, axis=0)
+        self._begins = begins + ways * (first / durations)[:, None]
+        self._stops = begins + ways * (last / durations)[:, None]
         self._of = frame.stroke[lit][of]
 
     @staticmethod

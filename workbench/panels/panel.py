@@ -1,7 +1,7 @@
 """What the window asks of a panel, and the answers of one that has nothing more to offer."""
 
-from collections.abc import Collection, Sequence
-from typing import TYPE_CHECKING, NamedTuple, Protocol
+from collections.abc import Callable, Collection, Generator, Sequence
+from typing import TYPE_CHECKING, NamedTuple, Protocol, cast
 
 from PySide6.QtCore import QEvent, QObject, Qt, SignalInstance
 from PySide6.QtGui import QAction
@@ -12,6 +12,7 @@ from workbench.exchange.tables import Table
 if TYPE_CHECKING:
     from workbench.exchange.diagrams import Derivation
     from workbench.panels.stage.export import Exporter
+    from workbench.session.session import Session
     from workbench.widgets.stepping.step_bar import Steps
 
 # The name by which a dock is remembered, its title, what it holds, and where it begins.
@@ -31,6 +32,10 @@ class Panel(Protocol):
 
     A panel takes the session as its only argument, and never another panel.
     """
+
+    @classmethod
+    def making(cls, session: "Session") -> "Generator[None, None, Panel]":
+        """Make it, so much in each step as does not hold the interface, and return it."""
 
     @property
     def center(self) -> QWidget:
@@ -134,6 +139,12 @@ class KeysWhileSeen(QObject):
 
 class PlainPanel:
     """Goes before the widget among the bases of a panel: no docks, no commands, nothing said."""
+
+    @classmethod
+    def making(cls, session: "Session") -> "Generator[None, None, Panel]":
+        """In one step."""
+        yield from ()
+        return cast("Callable[[Session], Panel]", cls)(session)
 
     def docks(self) -> Sequence[DockPart]:
         """None."""

@@ -242,7 +242,7 @@ class MainWindow(QMainWindow):
         return list(self._panels.get(slug, []))
 
     def prepare(self, slug: str) -> Iterator[None]:
-        """Make the panels of a workspace, one per step; who asks later goes on where the first stopped."""
+        """Make the panels of a workspace, step by step; who asks later goes on where the first stopped."""
         if slug not in self._panels:
             yield from self._makers.setdefault(slug, self._make_panels(slug))
 
@@ -250,11 +250,13 @@ class MainWindow(QMainWindow):
         workspace = self._offered[slug]
         for name in workspace.panels:
             if name not in self._made:
-                self._take(self._made.setdefault(name, panel_class(name)(self.session)))
+                panel = yield from panel_class(name).making(self.session)
+                self._take(self._made.setdefault(name, panel))
                 yield
         made = [self._made[name] for name in workspace.panels]
         parts = [part for panel in made for part in panel.docks()]
         self.arrangements.add(slug, made[0].center, parts, workspace.lower)
+        yield
         join(made)
         self._panels[slug] = made
 

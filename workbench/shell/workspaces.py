@@ -1,6 +1,6 @@
 """The workspaces, in the order of the course: each an arrangement of panels over one session."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from functools import partial
 from importlib import import_module
 from typing import TYPE_CHECKING, NamedTuple, TypeVar
@@ -22,7 +22,6 @@ if TYPE_CHECKING:
     from workbench.panels.space.panel import SpacePanel
     from workbench.panels.transform.panel import TransformPanel
     from workbench.panels.viewing.panel import ViewingPanel
-    from workbench.session.session import Session
 
     # Every panel there is conforms.
     PANELS: tuple[type[Panel], ...] = (
@@ -67,11 +66,11 @@ class Workspace(NamedTuple):
         return tuple(panel.partition(":")[0] for panel in self.panels)
 
 
-def panel_class(panel: str) -> "Callable[[Session], Panel]":
+def panel_class(panel: str) -> "type[Panel]":
     """The class behind "module:class"."""
     module, __, name = panel.partition(":")
-    made: Callable[[Session], Panel] = getattr(import_module(module), name)
-    return made
+    kind: type[Panel] = getattr(import_module(module), name)
+    return kind
 
 
 def join(panels: "Sequence[Panel]") -> None:

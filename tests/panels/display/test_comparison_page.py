@@ -44,6 +44,7 @@ def settle(page: ComparisonPage) -> None:
     """Everything that was asked for is shown."""
     page.session.flush()
     page.refresh()
+    page._show_tubes()
     page._show_lenses()
 
 

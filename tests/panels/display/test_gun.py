@@ -6,7 +6,7 @@ import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QAbstractButton, QComboBox, QDial, QMenu, QPushButton, QSlider
+from PySide6.QtWidgets import QAbstractButton, QApplication, QComboBox, QDial, QMenu, QPushButton, QSlider
 from pytestqt.qtbot import QtBot
 
 from workbench.algorithms.scanning.electron_beam_views import (
@@ -69,6 +69,35 @@ def test_a_voltage_is_typed_slid_and_scrubbed(qtbot: QtBot, page: GunPage) -> No
     assert page.setting.gun.grid == -80.0
     assert page.setting.gun.beam_current == 0.0
     assert page.cards.beam.fields["grid"].number.value() == -80.0
+
+
+def test_each_move_of_the_hand_is_shown_once(
+    qtbot: QtBot, page: GunPage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The run that follows the hand tells nothing new but its step."""
+    shown: list[float] = []
+    monkeypatch.setattr(page.monitor, "show_gun", lambda gun: shown.append(gun.way()[-1][1]))
+    tube = page.tube
+    centre = tube._glass.center().toPoint()
+    qtbot.mousePress(tube, Qt.MouseButton.LeftButton, pos=centre)
+    turn(page)
+    for along in range(1, 6):
+        shown.clear()
+        qtbot.mouseMove(tube, centre + QPoint(5 * along, 3))
+        turn(page)
+        assert len(shown) == 1
+        assert shown[0] == pytest.approx(page.setting.gun.way()[-1][1])
+    qtbot.mouseRelease(tube, Qt.MouseButton.LeftButton, pos=centre + QPoint(25, 3))
+    turn(page)
+    page.session.update_state(step=3)
+    turn(page)
+    assert page.drawing_view._lit == STEPS[2]
+
+
+def turn(page: GunPage) -> None:
+    """All that is due now happens."""
+    for _turn in range(4):
+        QApplication.processEvents()
 
 
 def test_rubbish_is_refused_in_place_and_nothing_is_lost(qtbot: QtBot, page: GunPage) -> None:

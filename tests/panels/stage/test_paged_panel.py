@@ -11,8 +11,9 @@ from tests.panels.by_hand import settle
 from workbench.panels.panel import DockPart
 from workbench.panels.stage.paged_panel import PagedPanel
 from workbench.panels.stage.plain_page import PlainPage
-from workbench.panels.stage.workspace_page import PageRow
+from workbench.panels.stage.workspace_page import PageRow, pages_of
 from workbench.session.session import Session
+from workbench.shell.workspaces import panel_class
 from workbench.widgets.look.in_sight import in_front
 
 RIGHT = Qt.DockWidgetArea.RightDockWidgetArea
@@ -110,3 +111,55 @@ def test_on_a_page_without_docks_one_of_no_page_comes_before_those_of_others(
     settle()
     assert first.isVisible()
     assert in_front(common)
+
+
+def test_each_page_is_made_in_a_step_of_its_own(
+    qtbot: QtBot, session: Session, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    rows = [PageRow(slug, slug, "", f"{__name__}:OnePage") for slug in ("first", "second", "third")]
+    made: list[str] = []
+    make = PageRow.make
+
+    def counted(row: PageRow, session: Session) -> object:
+        made.append(row.slug)
+        return make(row, session)
+
+    monkeypatch.setattr(PageRow, "make", counted)
+    making = pages_of(rows, session)
+    while True:
+        before = len(made)
+        try:
+            next(making)
+        except StopIteration as end:
+            pages = end.value
+            break
+        assert len(made) - before <= 1
+    panel = PagedPanel(session, "test", rows, pages=pages)
+    qtbot.addWidget(panel)
+    assert made == ["first", "second", "third"]
+    assert [panel.page_of(slug) for slug in made] == list(pages.values())
+
+
+@pytest.mark.parametrize("wing", ["display", "space"])
+def test_a_wing_is_made_page_by_page(
+    qtbot: QtBot, session: Session, monkeypatch: pytest.MonkeyPatch, wing: str
+) -> None:
+    """Which is what keeps its first entry from holding the interface."""
+    most: list[int] = []
+
+    def counted(_row: PageRow, session: Session) -> object:
+        most[-1] += 1
+        return BarePage(session)
+
+    monkeypatch.setattr(PageRow, "make", counted)
+    making = panel_class(f"workbench.panels.{wing}.panel:{wing.title()}Panel").making(session)
+    panel = None
+    while panel is None:
+        most.append(0)
+        try:
+            next(making)
+        except StopIteration as end:
+            panel = end.value
+    qtbot.addWidget(panel.center)
+    assert max(most) == 1
+    assert sum(most) == len(panel.buttons.buttons())

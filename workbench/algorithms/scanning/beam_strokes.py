@@ -5,6 +5,9 @@ sigma           standard deviation of the spot, in pixels
 BELL, RAMP      density of the spot, and its sum up to a place, at 256 places for each sigma
 u, v            place of a pixel along and across the stroke, as places of the tables
 ended           how far the stroke goes, in places of the tables
+pitch           one pixel, in spot widths
+lean            how far the stroke's line moves sideways while it climbs by 1
+beside          how far from that line in a row the spot still reaches
 left, right     columns of a row that are within reach of the spot
 """
 
@@ -28,9 +31,12 @@ BELL = np.exp(-0.5 * _PLACES * _PLACES) / math.sqrt(2.0 * math.pi)
 RAMP = np.array([0.5 * (1.0 + math.erf(place / math.sqrt(2.0))) for place in _PLACES.tolist()])
 
 
-def within(place: float) -> float:
+LAST = int(2 * REACH * FINE)
+
+
+def within(place: int) -> int:
     """A place of the tables, or the nearer end where it is beyond."""
-    return min(max(place, 0.0), 2.0 * REACH * FINE)
+    return min(max(place, 0), LAST)
 
 
 def beam_strokes(face: NDArray[Any], strokes: NDArray[Any], sigma: float) -> Iterator[tuple[int, int, int]]:
@@ -42,6 +48,7 @@ def beam_strokes(face: NDArray[Any], strokes: NDArray[Any], sigma: float) -> Ite
     """
     height, width = face.shape
     stride = FINE / sigma
+    pitch = 1.0 / sigma
     for k in range(len(strokes)):
         # Measure the stroke in spot widths
         x0 = float(strokes[k, 0])
@@ -55,6 +62,12 @@ def beam_strokes(face: NDArray[Any], strokes: NDArray[Any], sigma: float) -> Ite
             cosine = dx / length
             sine = dy / length
         ended = length * FINE
+        slanted = abs(sine) > 0.001
+        lean = 0.0
+        beside = 0.0
+        if slanted:
+            lean = cosine / sine
+            beside = REACH / abs(sine)
         energy = float(strokes[k, 4]) / (sigma * sigma)
         if length > SHORT:
             energy /= length
@@ -63,25 +76,25 @@ def beam_strokes(face: NDArray[Any], strokes: NDArray[Any], sigma: float) -> Ite
 
         for y in range(low, high + 1):
             # Find the columns that the spot reaches in this row
-            up = (y - y0) / sigma
+            up = (y - y0) * pitch
             near = min(dx, 0.0) - REACH
             far = max(dx, 0.0) + REACH
-            if abs(sine) > 0.001:
-                near = max(near, up * cosine / sine - REACH / abs(sine))
-                far = min(far, up * cosine / sine + REACH / abs(sine))
+            if slanted:
+                near = max(near, up * lean - beside)
+                far = min(far, up * lean + beside)
             left = max(math.ceil(x0 + sigma * near), 0)
             right = min(math.floor(x0 + sigma * far), width - 1)
 
             # Add what passes over each of them
-            across = (left - x0) / sigma
+            across = (left - x0) * pitch
             u = (across * cosine + up * sine + REACH) * FINE + 0.5
             v = (up * cosine - across * sine + REACH) * FINE + 0.5
             for x in range(left, right + 1):
                 if length > SHORT:
-                    passed = RAMP[int(within(u))] - RAMP[int(within(u - ended))]
+                    passed = RAMP[within(int(u))] - RAMP[within(int(u - ended))]
                 else:
-                    passed = BELL[int(within(u - 0.5 * ended))]
-                face[y, x] += energy * passed * BELL[int(within(v))]
+                    passed = BELL[within(int(u - 0.5 * ended))]
+                face[y, x] += energy * passed * BELL[within(int(v))]
                 u += cosine * stride
                 v -= sine * stride
             yield y, left, right

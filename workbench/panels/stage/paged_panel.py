@@ -1,6 +1,6 @@
 """The middle of a workspace of several pages, which are switched at the top."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import partial
 
 from PySide6.QtCore import Qt, QTimer, Signal
@@ -28,7 +28,8 @@ from workbench.widgets.look.in_sight import dock_around, in_front
 
 
 class PagedPanel(PlainPanel, QWidget):
-    """The pages of ``rows``, one at a time, and a switch for them. ``wing`` begins the names of its commands.
+    """The pages of ``rows``, one at a time, and a switch for them. ``wing`` begins the names of its commands,
+    ``pages`` are those of its pages that are made already.
 
     ``hover_text`` and ``zoom_text`` are for the status bar; ``page`` is the slug of the one that is shown.
     """
@@ -37,7 +38,12 @@ class PagedPanel(PlainPanel, QWidget):
     zoom_text = Signal(str)
 
     def __init__(
-        self, session: Session, wing: str, rows: Sequence[PageRow], parent: QWidget | None = None
+        self,
+        session: Session,
+        wing: str,
+        rows: Sequence[PageRow],
+        parent: QWidget | None = None,
+        pages: Mapping[str, Page] | None = None,
     ) -> None:
         super().__init__(parent)
         self.session = session
@@ -50,7 +56,7 @@ class PagedPanel(PlainPanel, QWidget):
         self.switch.setSpacing(4)
         self.buttons = QButtonGroup(self)
         for number, row in enumerate(self._rows, 1):
-            page = self._pages[row.slug] = row.make(session)
+            page = self._pages[row.slug] = (pages or {}).get(row.slug) or row.make(session)
             self.stack.addWidget(page.widget)
             self._connect(row.slug, page)
             self._add_switch(number, row.slug, row.title, row.tooltip)

@@ -6,7 +6,7 @@ as a panel does, by ``docks()`` and ``commands()``; ``usual`` is the subject tha
 ``example`` what is opened where there is nothing to see, and each page has a position of its own.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Generator, Iterable, Sequence
 from importlib import import_module
 from typing import NamedTuple, Protocol, cast
 
@@ -74,3 +74,14 @@ class PageRow(NamedTuple):
         module, _colon, name = self.maker.partition(":")
         made = cast("Callable[[Session], Page]", getattr(import_module(module), name))
         return made(session)
+
+
+def pages_of(rows: Iterable[PageRow], session: Session) -> Generator[None, None, dict[str, Page]]:
+    """The pages of these rows, by slug; each comes in two steps, its module and itself."""
+    pages = {}
+    for row in rows:
+        import_module(row.maker.partition(":")[0])
+        yield
+        pages[row.slug] = row.make(session)
+        yield
+    return pages

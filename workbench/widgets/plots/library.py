@@ -35,7 +35,7 @@ class _Library(QObject):
             import_module("pyqtgraph")
         self._there = True
         self._coming = None
-        self.loaded.emit()
+        QTimer.singleShot(0, self.loaded.emit)
 
 
 def _load_below_qt() -> bool:

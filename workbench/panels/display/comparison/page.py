@@ -105,6 +105,8 @@ class ComparisonPage(PlainPage, QWidget):
         whole.addWidget(self.note)
         whole.addWidget(self.plot)
         self.setFocusProxy(self.raster)
+        self._feeding = QTimer(self, singleShot=True, interval=0)  # in a turn of its own
+        self._feeding.timeout.connect(self._show_tubes)
         self._resting = QTimer(self)
         self._resting.setSingleShot(True)
         self._resting.setInterval(80)
@@ -197,8 +199,8 @@ class ComparisonPage(PlainPage, QWidget):
         if self.facts is None or of != self._measured:
             self.facts, self._measured = self._measure(), of
             self._show_numbers(self.facts)
-        self._show_tubes(self.facts)
         self._tell()
+        self._feeding.start()
         self._resting.start()
 
     def _show_numbers(self, facts: Facts) -> None:
@@ -245,8 +247,11 @@ class ComparisonPage(PlainPage, QWidget):
             timing=timing_of(subject),
         )
 
-    def _show_tubes(self, facts: Facts) -> None:
+    def _show_tubes(self) -> None:
         """Both pictures, or of a frame that is stepped what either beam has drawn in the same time."""
+        facts = self.facts
+        if facts is None:
+            return
         settings, setup = self.session.state.tube, self._setup
         address, done_s = self._position(facts)
         strokes = facts.program.strokes

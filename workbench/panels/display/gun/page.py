@@ -97,7 +97,7 @@ class GunPage(PlainPage, QWidget):
         self._due.connect(self.refresh, Qt.ConnectionType.QueuedConnection)
         session.state_changed.connect(self.refresh_soon)
         for signal in (session.run.changed, session.run.moved):
-            signal.connect(self.refresh_soon)
+            signal.connect(self._take_step)
         setting.refused.connect(self._refuse)
         for part in (self.bar, self.cards, self.monitor):
             part.edited.connect(self._edit)
@@ -161,8 +161,9 @@ class GunPage(PlainPage, QWidget):
         self.setting.change(changes)
 
     def _refuse(self, fault: str) -> None:
-        self._fault = fault
-        self.refresh_soon()
+        if fault != self._fault:
+            self._fault = fault
+            self.refresh_soon()
 
     def _steer(self, x: float | None, y: float | None) -> None:
         said = self.setting.steer(x, y)
@@ -254,9 +255,19 @@ class GunPage(PlainPage, QWidget):
         if self._live_seconds is not None and not self._waiting and self.isVisible():
             self._show_beam()
 
+    @property
+    def _stepped(self) -> int:
+        """The number of the step, 0 where no beam is stepped."""
+        return self.session.run.number if is_of_a_gun(self.session.state.subject) else 0
+
+    def _take_step(self, *_arguments: object) -> None:
+        """A run tells no more than its step: one made anew under a drag shows nothing else."""
+        if self._stepped != self._step:
+            self.refresh_soon()
+
     def _light_step(self) -> None:
         """Mark the part that the step is about, and speak of it where the step is another."""
-        step = self.session.run.number if is_of_a_gun(self.session.state.subject) else 0
+        step = self._stepped
         if step != self._step:
             self._step = step
             if 0 < step <= len(STEPS):
