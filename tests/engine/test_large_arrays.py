@@ -17,7 +17,7 @@ start = resident()
 small = []
 def work():
     for _ in range(3):
-        arrays = [np.ones(1 << 20) for _ in range(6)]
+        arrays = [np.ones({numbers}) for _ in range({count})]
         small.append([np.ones(1000) for _ in range(200)])  # between them, on the heap
         del arrays
 for _ in range(4):
@@ -30,8 +30,9 @@ GIVE_BACK = "from workbench.engine.large_arrays import give_back_large_arrays\ng
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="the memory of a process is read where Linux tells it")
-def test_memory_of_large_arrays_goes_back() -> None:
-    text = FILL_AND_LEAVE.format(before=GIVE_BACK)
+@pytest.mark.parametrize(("numbers", "count"), [(1 << 20, 6), (1 << 15, 192)], ids=["8 MB", "256 kB"])
+def test_memory_of_large_arrays_goes_back(numbers: int, count: int) -> None:
+    text = FILL_AND_LEAVE.format(before=GIVE_BACK, numbers=numbers, count=count)
     done = subprocess.run([sys.executable, "-c", text], capture_output=True, text=True, check=True)
     assert float(done.stdout) < 40  # of which 19 are still held
 
