@@ -19,7 +19,6 @@ from workbench.algorithms.clipping.window_marks import edge_mark
 from workbench.algorithms.entry import CALLS, Entry
 from workbench.algorithms.marks import INKS, Mark, Matrix, Ray, Region, Spot, Stroke, Word, no_marks
 from workbench.algorithms.numerals import numeral
-from workbench.algorithms.polygons.scan_line_marks import row_marks
 from workbench.engine.calls import own_call
 from workbench.engine.observation import Step, Steps
 from workbench.engine.recorder import record
@@ -399,8 +398,3 @@ def test_very_much_is_not_drawn_one_by_one() -> None:
     now = {"polygon": ring.tolist(), "clipped": ring.tolist(), "edge": TOP, "i": 7}
     run = (ring, -8.0, -8.0, 8.0, 8.0)
     assert len(list(catalogue.get("sutherland_hodgman").marks(run, now, np.empty((0, 2)), False))) < 20
-
-
-def test_a_crossing_far_out_is_written_beside_it_as_the_sentence_has_it() -> None:
-    words = [m.text for m in row_marks(3, [-12345.25, 1000.5], np.empty((0, 3))) if isinstance(m, Word)]
-    assert words == ["−12345.25", "1000.5"]

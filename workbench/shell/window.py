@@ -92,9 +92,8 @@ class MainWindow(QMainWindow):
         self._top_column.setSpacing(0)
         self.menu_bar = QMenuBar()
         self.menu_bar.setFixedHeight(self.fontMetrics().height() + MENU_PADDING)
-        places = [("home", _("Home"), _("Recent pictures, examples and questions"))]
-        places += [(each.slug, each.title, each.tooltip) for each in self._offered.values()]
-        self.bar = WorkspaceBar(places)
+        home = ("home", _("Home"), _("Recent pictures, examples and questions"))
+        self.bar = WorkspaceBar([home, *((w.slug, w.title, w.tooltip) for w in self._offered.values())])
         self.bar.chosen.connect(self.go)
         self._top_column.addWidget(self.menu_bar)
         self._top_column.addWidget(self.bar)
@@ -102,8 +101,7 @@ class MainWindow(QMainWindow):
         self.stack = QStackedWidget()
         self.setCentralWidget(self.stack)
         self.statusBar().setFixedHeight(self.fontMetrics().height() + STATUS_PADDING)
-        geometry = settings.arrangement("window")
-        if geometry is not None:
+        if (geometry := settings.arrangement("window")) is not None:
             self.restoreGeometry(geometry)
         self.show_page("home")
 
@@ -242,7 +240,7 @@ class MainWindow(QMainWindow):
         return list(self._panels.get(slug, []))
 
     def prepare(self, slug: str) -> Iterator[None]:
-        """Make the panels of a workspace, step by step; who asks later goes on where the first stopped."""
+        """Make the panels of a workspace step by step; who asks later goes on where the first stopped."""
         if slug not in self._panels:
             yield from self._makers.setdefault(slug, self._make_panels(slug))
 
@@ -253,12 +251,12 @@ class MainWindow(QMainWindow):
                 panel = yield from panel_class(name).making(self.session)
                 self._take(self._made.setdefault(name, panel))
                 yield
-        made = [self._made[name] for name in workspace.panels]
-        parts = [part for panel in made for part in panel.docks()]
-        self.arrangements.add(slug, made[0].center, parts, workspace.lower)
+        panels = [self._made[name] for name in workspace.panels]
+        docks = [dock for each in panels for dock in each.docks()]
+        self.arrangements.add(slug, panels[0].center, docks, workspace.lower)
         yield
-        join(made)
-        self._panels[slug] = made
+        join(panels)
+        self._panels[slug] = panels
 
     def _take(self, panel: Panel) -> None:
         """Let a new panel's commands, step bar and words be the window's; workspaces may share it."""

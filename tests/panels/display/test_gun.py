@@ -5,8 +5,7 @@ from pathlib import Path
 import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QAbstractButton, QApplication, QComboBox, QDial, QMenu, QPushButton, QSlider
+from PySide6.QtWidgets import QAbstractButton, QApplication, QComboBox, QDial, QPushButton, QSlider
 from pytestqt.qtbot import QtBot
 
 from workbench.algorithms.scanning.electron_beam_views import (
@@ -21,15 +20,12 @@ from workbench.display.cutaway import STEPS, parts_of
 from workbench.display.gun import OFF, SINE
 from workbench.document.errors import DocumentError
 from workbench.document.storage.files import read
-from workbench.exchange.diagram_svg import write_diagram
-from workbench.exchange.diagrams import Sentence
 from workbench.panels.display.gun.page import GunPage
 from workbench.panels.display.gun.parts import numbers_of
 from workbench.panels.display.gun.presets import presets
 from workbench.rendering.subjects.gun import gun_of, settings_of, with_settings
 from workbench.session.session import Session
 from workbench.widgets.fields.number_field import EntryLine
-from workbench.widgets.formulas.paper import write_pdf
 
 
 @pytest.fixture
@@ -285,58 +281,6 @@ def test_a_setting_out_of_range_is_refused_on_reading(session: Session, page: Gu
         session.update_state(subject=with_settings(page.usual, {"anode": -1.0}))
     odd = with_settings(page.usual, {"phosphor": "P77", "x_wave": "square"})
     assert (gun_of(odd).phosphor, gun_of(odd).x.wave) == ("P1", OFF)
-
-
-def test_the_drawing_is_saved_with_labels_and_without(page: GunPage) -> None:
-    with_labels = page.drawing()
-    page.bar.labels.setChecked(False)
-    without = page.drawing()
-    assert with_labels is not None
-    assert without is not None
-    named, bare = write_diagram(with_labels), write_diagram(without)
-    for title in ("control grid", "focusing anode", "conductive coating", "heater", "electron beam"):
-        assert title in named
-        assert title not in bare
-    assert bare.count("<poly") > 20
-    assert write_pdf(without).startswith(b"%PDF")
-
-
-def test_the_answer_has_a_diagram_and_five_points(page: GunPage) -> None:
-    made = page.derivation()
-    assert made is not None
-    text = write_diagram(made)
-    for number in range(1, 6):
-        assert f">{number}." in text.replace("\n", "")
-    assert "24" in text
-    assert "control grid" in text
-    assert ">26524" in text  # km/s: the root of 2 e V / m at 2 kV, without relativity
-    for asked in ("Electrostatic:", "Magnetic:", "Focus<", "Brightness<", "Contrast<"):
-        assert asked in text
-
-
-def test_the_answer_works_out_the_turn_of_coils(page: GunPage) -> None:
-    page._edit({"coils": True, "length": 20.0, "x_field": 0.0, "y_field": 1.0})
-    settle(page)
-    made = page.derivation()
-    assert made is not None
-    text = " ".join(block.text for block in made.blocks if isinstance(block, Sentence))
-    assert "= 0.1326$ for $l = 20$ mm, $B = 1$ mT, $V_a = 2000$ V." in text
-    assert "= 26.76$ mm from the middle" in text
-    page._edit({"y_field": 10.0})
-    settle(page)
-    made = page.derivation()
-    assert made is not None
-    assert "No sine is 1 or more" in " ".join(b.text for b in made.blocks if isinstance(b, Sentence))
-
-
-def test_the_button_asks_what_the_menu_asks(page: GunPage, qtbot: QtBot) -> None:
-    menu = QMenu()
-    action = QAction("Export the drawing of the tube...", menu)
-    action.setObjectName("export_tube")
-    menu.addAction(action)
-    page.offer_export(menu)
-    with qtbot.waitSignal(action.triggered):
-        qtbot.mouseClick(page.bar.save, Qt.MouseButton.LeftButton)
 
 
 def test_every_control_has_a_name_and_a_tooltip(page: GunPage) -> None:
