@@ -129,3 +129,12 @@ def test_a_label_gives_way_to_the_line_of_another_one_where_it_is_narrow() -> No
         for other in placed:
             inside = LineString(one.leader).intersection(shapely.box(*other.box).buffer(-1e-6)).length
             assert one is other or inside == 0.0, (one.label.title, other.label.title)
+
+
+@pytest.mark.parametrize("coils", [False, True])
+def test_the_label_of_the_screen_stands_above_the_bulb_where_there_is_room(coils: bool) -> None:
+    gun = Gun(coils=coils)
+    placed = place_labels(labels(gun), gun, lambda label: (2.0 * len(label.title), 10.0), 2.0, window_of(gun))
+    assert not crowded(placed)
+    screen = next(each for each in placed if each.label.part == "screen")
+    assert screen.box[1] > FACE_MM[1] / 2

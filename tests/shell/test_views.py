@@ -1,5 +1,6 @@
 """Views that take each other's place leave something to be seen."""
 
+import pytest
 from pytestqt.qtbot import QtBot
 
 from workbench.shell.window import MainWindow
@@ -16,3 +17,14 @@ def test_a_view_alone_that_is_closed_leaves_no_empty_window(qtbot: QtBot, window
     assert panel.isVisibleTo(window)
     assert not window.top.isHidden()
     assert dock.isHidden()
+
+
+@pytest.mark.parametrize("command", ["swap", "read"])
+def test_a_view_alone_makes_room_for_why_a_key_does_nothing(window: MainWindow, command: str) -> None:
+    window.go("home")
+    window.views.toggle_alone()
+    assert window.statusBar().isHidden()
+    getattr(window.views, command)()
+    assert not window.views.alone
+    assert not window.statusBar().isHidden()
+    assert window.status.hover.text()

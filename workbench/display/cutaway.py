@@ -235,7 +235,7 @@ def labels(gun: Gun, seconds: float | None = None) -> tuple[Label, ...]:
             "anode", _("accelerating anode"), _("anode"), _volts(gun.anode, "V"), (ANODE_MM - 4.0, 9.0), True
         ),
         *above,
-        Label("screen", _("phosphor-coated screen"), _("screen"), gun.phosphor, face(gun, 0.86), True),
+        Label("screen", _("phosphor-coated screen"), _("screen"), gun.phosphor, face(gun, 0.97), True),
         Label("cathode", _("cathode"), _("cathode"), "0 V", (-1.5, -6.0), False),
         Label("focus", _("focusing anode"), _("focus"), _volts(gun.focus, "V"), (LENS_MM, -8.5), False),
         below,
@@ -263,6 +263,7 @@ def place_labels(
     lengths = [
         (span.start, span.y - gap, span.end + len(span.name) * gap, span.y + gap) for span in spans(gun)
     ]
+    over = FACE_MM[1] / 2.0 + gap
     placed: list[PlacedLabel] = []
     for label in told:
         wide, tall = size_of(label)
@@ -272,6 +273,8 @@ def place_labels(
         shifts = sorted((shift * gap for shift in range(-_SHIFTS, _SHIFTS + 1)), key=abs)
         lefts = [min(max(middle + shift, left_end), right_end - wide) for shift in shifts]
         starts = [free + row * pitch for row in range(rows)]
+        if label.part == "screen" and over + tall <= high:
+            starts = [over]  # lower it would cover the bulb
         boxes = [(left, start, left + wide, start + tall) for start in starts for left in lefts]
         if not label.above:
             boxes = [(left, -top, right, -bottom) for left, bottom, right, top in boxes]

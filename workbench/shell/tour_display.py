@@ -87,6 +87,9 @@ def _raster_beam(window: MainWindow) -> None:
     def catch() -> None:
         page = panel_of(window.panels("display"), DisplayPanel).page_of("raster")
         assert isinstance(page, RasterPage)
+        if page.setting.scan is None or not window.session.run.done:
+            QTimer.singleShot(50, catch)
+            return
         window.session.update_state(tube=replace(window.session.state.tube, phosphor="P7"))
         page.catch_beam()
 

@@ -40,6 +40,7 @@ class Views(QObject):
         """Exchange what fills the middle with what the tube dock holds."""
         area = self._window.arrangements.area(self._window.place)
         if area is None or not area.can_swap:
+            self.together()  # alone, the window has no status bar
             self._window.say_status(_("This page has no canvas and tube to swap."))
             return
         self.together()
@@ -50,6 +51,7 @@ class Views(QObject):
         """Give source and tables half of the window, or bring the docks back."""
         area = self._window.arrangements.area(self._window.place)
         if area is None or not area.can_read:
+            self.together()
             self._window.say_status(_("There is no source to read here; go to a workspace with steps."))
             return
         self.together()

@@ -209,3 +209,10 @@ def test_a_scene_is_scanned_as_soon_as_it_can_be_lit(
         assert bool(image.any()) == lit
         assert page._lighting._due.isActive() != lit
         page._lighting._due.stop()
+
+
+def test_the_names_of_the_features_are_whole(page: ComparisonPage, qtbot: QtBot) -> None:
+    put_on_screen(qtbot, page.table, 380, 300)
+    for row in range(page.table.rowCount()):
+        assert page.table.columnWidth(0) >= page.table.sizeHintForColumn(0)
+        assert page.table.rowHeight(row) >= page.table.sizeHintForRow(row)

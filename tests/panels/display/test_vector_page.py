@@ -374,3 +374,13 @@ def test_the_paper_of_a_storage_tube_has_no_refresh(page: VectorPage) -> None:
     said = str(derivation.blocks)
     assert f"{len(page._run.program.strokes):,} · 40 / 9600" in said  # type: ignore[union-attr]
     assert not any(words in said for words in ("1 / max", "the eye asks", "Nearest end first"))
+
+
+def test_where_it_is_low_the_tube_has_the_height_of_the_plot(page: VectorPage, qtbot: QtBot) -> None:
+    assert page.plot.isVisible()
+    page.resize(650, 330)
+    qtbot.waitUntil(lambda: not page.plot.isVisible())
+    page.refresh()
+    assert not page.plot.isVisible()
+    page.resize(900, 560)
+    qtbot.waitUntil(page.plot.isVisible)

@@ -100,7 +100,7 @@ def _raster(image: NDArray[np.uint32]) -> Drawing:
         _arrow((66.0, 22.0), (x0, 22.0)),
         Stroke(_ring(*_SCREEN), "text", "medium"),
         Word(_("monitor"), (x0 + x1) / 2, y1, "text", 0, 1),
-        Word(_("scan line"), x1 - 2.0, y1 - 2.5, "data1", -1, 1),
+        Word(_("scan line"), x1 - 4.0, y1 - 3.6, "data1", -1, -1),
         Word(_("horizontal retrace"), (x0 + x1) / 2, (y0 + y1) / 2, "data2", 0, 0),
         Word(_("vertical retrace"), (x0 + x1) / 2, y0, "data3", 0, -1),
     ]

@@ -32,7 +32,7 @@ class PartDock(QScrollArea):
         self.fields = QVBoxLayout()
         self.fields.setSpacing(6)
         self.numbers = QFormLayout()
-        self.numbers.setHorizontalSpacing(16)
+        self.numbers.setHorizontalSpacing(8)
         self.numbers.setRowWrapPolicy(QFormLayout.RowWrapPolicy.WrapLongRows)
         inner = QWidget()
         self.column = column = QVBoxLayout(inner)

@@ -134,7 +134,7 @@ class BufferDock(QScrollArea):
         table = QTableWidget(len(DEPTHS), 4)
         table.setAccessibleName(_("What is lost at each depth"))
         table.setToolTip(_("The picture at each depth with its usual table; double-click one to choose it."))
-        table.setHorizontalHeaderLabels((_("bits"), _("bytes"), _("colours lost"), _("largest error")))
+        table.setHorizontalHeaderLabels((_("bits"), _("bytes"), _("lost"), _("error")))
         table.verticalHeader().hide()
         table.setShowGrid(False)
         table.setEditTriggers(QTableWidget.EditTrigger.NoEditTriggers)
@@ -144,8 +144,12 @@ class BufferDock(QScrollArea):
         table.setIconSize(_ICON)
         table.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         header = table.horizontalHeader()
-        header.setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
-        header.setSectionResizeMode(0, QHeaderView.ResizeMode.ResizeToContents)
+        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        header.setSectionResizeMode(table.columnCount() - 1, QHeaderView.ResizeMode.Stretch)
+        for column, meaning in ((2, _("colours lost")), (3, _("largest error"))):
+            table.model().setHeaderData(
+                column, Qt.Orientation.Horizontal, meaning, Qt.ItemDataRole.ToolTipRole
+            )
         for number in range(len(DEPTHS)):
             table.setRowHeight(number, _ICON.height() + 4)
         table.setFixedHeight(len(DEPTHS) * (_ICON.height() + 4) + header.sizeHint().height() + 4)

@@ -44,7 +44,7 @@ from workbench.widgets.tube.stroke_view import StrokeView
 
 PAGE = "vector"
 OVERLOADED = 900
-_PLOT_PX, _LOW_PLOT_PX, _LOW_PX = 150, 104, 420
+_PLOT_PX, _LOW_PX = 150, 420
 
 
 class VectorPage(PlainPage, QWidget):
@@ -67,6 +67,7 @@ class VectorPage(PlainPage, QWidget):
         self.tube, self.storage = StrokeView(), StorageView()
         self.storage_bar = StorageBar(self.storage)
         self.plot = RefreshPlot()
+        self.plot.setFixedHeight(_PLOT_PX)
         self.changes = ListChanges(session, self.hover_text.emit)
         self.architecture = DrawingView(
             _("Architecture of a random-scan system"),
@@ -228,7 +229,7 @@ class VectorPage(PlainPage, QWidget):
         words = [*seen, run.note]
         self.note.setText(" ".join(filter(None, words)))
         self.note.setVisible(any(words))
-        self.plot.setVisible(not run.stores)
+        self.plot.setVisible(not run.stores and self.height() >= _LOW_PX)
         self.plot.show_curve(run.curve, run.budget.lines, MOST_LINES)
         self.architecture.show_drawing(partial(architecture, run.working), told(run.working))
 
@@ -313,11 +314,11 @@ class VectorPage(PlainPage, QWidget):
         return super().eventFilter(watched, event)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Where it is low the list needs the height that the sum has."""
+        """Where it is low, list and tube need the height that sum and plot have."""
         super().resizeEvent(event)
         low = self.height() < _LOW_PX
         self.sums.setVisible(not low)
-        self.plot.setFixedHeight(_LOW_PLOT_PX if low else _PLOT_PX)
+        self.plot.setVisible(not low and not (self._run is not None and self._run.stores))
 
     def showEvent(self, event: QShowEvent) -> None:
         """Show what happened while it was hidden."""
