@@ -144,7 +144,7 @@ def features(facts: Facts) -> list[Feature]:
         ),
         Feature(
             _("Cost"),
-            _("memory was dear, is cheap; the deflection runs always alike, as in television"),
+            _("memory was expensive and is cheap now; the deflection always runs the same way"),
             _("little memory, but fast and exact deflection, and a processor that draws"),
             _("Raster won when memory became cheap."),
         ),
