@@ -244,7 +244,9 @@ class NumberField(QWidget):
             if chosen and self.field.hasFocus():
                 self.field.selectAll()  # as it was entered: typing goes on in place of the old number
         self.field.setModified(False)
-        self.field.setToolTip(f"{text}\n{self._tip}" if self.field.overflows else self._tip)
+        tip = f"{text}\n{self._tip}" if self.field.overflows else self._tip
+        if tip != self.field.toolTip():
+            self.field.setToolTip(tip)  # it costs more than all else here, and during a drag most stay
 
     def _typed(self) -> str:
         text = self.field.text().strip()
