@@ -212,7 +212,8 @@ def test_a_scene_is_scanned_as_soon_as_it_can_be_lit(
 
 
 def test_the_names_of_the_features_are_whole(page: ComparisonPage, qtbot: QtBot) -> None:
-    put_on_screen(qtbot, page.table, 380, 300)
-    for row in range(page.table.rowCount()):
-        assert page.table.columnWidth(0) >= page.table.sizeHintForColumn(0)
-        assert page.table.rowHeight(row) >= page.table.sizeHintForRow(row)
+    table = page.table
+    put_on_screen(qtbot, table, 380, 300)
+    qtbot.waitUntil(lambda: table.rowCount() > 0 and table.columnWidth(0) >= table.sizeHintForColumn(0))
+    rows = range(table.rowCount())
+    qtbot.waitUntil(lambda: all(table.rowHeight(row) >= table.sizeHintForRow(row) for row in rows))

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QHeaderView, QTableWidget, QTableWidgetItem, QWidget
 
 _AIR_PX = 6
@@ -26,7 +26,10 @@ class FeatureTable(QTableWidget):
         header.setHighlightSections(False)
         header.setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
         header.setSectionResizeMode(0, QHeaderView.ResizeMode.ResizeToContents)
-        header.sectionResized.connect(self._fit_rows)
+        # Not within the layout: rows that grow may bring a scroll bar, which narrows the columns again
+        self._fitting = QTimer(self, singleShot=True, interval=0)
+        self._fitting.timeout.connect(self._fit_rows)
+        header.sectionResized.connect(lambda *_section: self._fitting.start())
 
     def show_rows(
         self, headings: tuple[str, str, str], rows: Sequence[tuple[str, str, str]], tips: Sequence[str]
@@ -43,9 +46,9 @@ class FeatureTable(QTableWidget):
                     font.setBold(True)
                     item.setFont(font)
                 self.setItem(number, column, item)
-        self._fit_rows()
+        self._fitting.start()
 
-    def _fit_rows(self, *_what: object) -> None:
+    def _fit_rows(self) -> None:
         """As high as their words, and some air."""
         self.resizeRowsToContents()
         for row in range(self.rowCount()):
