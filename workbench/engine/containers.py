@@ -66,6 +66,11 @@ def snapshot(value: Any) -> Any:
     return f"<{type(value).__name__}>"
 
 
+def _bytes(array: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
+    """Its bytes, not copied where they lie one after the other."""
+    return np.ascontiguousarray(array).reshape(-1).view(np.uint8)
+
+
 def same(a: Any, b: Any) -> bool:
     """Equality of snapshots, arrays included; a number and an equal one of another type differ."""
     if a is b:
@@ -73,7 +78,7 @@ def same(a: Any, b: Any) -> bool:
     if type(a) is not type(b):
         return False
     if isinstance(a, np.ndarray):
-        return bool(a.shape == b.shape and a.dtype == b.dtype and a.tobytes() == b.tobytes())
+        return bool(a.shape == b.shape and a.dtype == b.dtype and np.array_equal(_bytes(a), _bytes(b)))
     if isinstance(a, list | tuple):
         return len(a) == len(b) and all(map(same, a, b))
     if isinstance(a, dict):

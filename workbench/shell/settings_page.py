@@ -6,9 +6,9 @@ from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QCheckBox, QComboBox, QFormLayout, QLabel, QPushButton
 
 from workbench.language import _
-from workbench.panels.display.flash_warning import CalmSwitch, FlashWarning
 from workbench.shell.pages import SidePage, heading, paragraph
 from workbench.shell.theme import choose_theme
+from workbench.widgets.look.flash_warning import CalmSwitch, FlashWarning
 
 if TYPE_CHECKING:
     from workbench.shell.window import MainWindow

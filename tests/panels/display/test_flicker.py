@@ -230,8 +230,12 @@ def test_the_derivation_works_out_why_it_flickers(qtbot: QtBot, page: FlickerPag
     (term,) = Phosphor.named("P39").terms
     percent = np.tanh(1.0 / (60.0 * term.tau_s))
     depth = 2.0 / np.hypot(1.0, 60.0 * np.pi * term.tau_s)
-    seen = lambda f: 100.0 * 2.0 / np.hypot(1.0, 2.0 * np.pi * f * term.tau_s) / 137.0  # noqa: E731
-    fusion = brentq(lambda f: 60.0 + 16.6 * np.log10(seen(f)) - f, 1.0, 99.0)
+
+    def above(f: float) -> float:
+        """How far the rate that is asked for lies above the rate f that modulates the light."""
+        return 60.0 + 16.6 * np.log10(200.0 / np.hypot(1.0, 2.0 * np.pi * f * term.tau_s) / 137.0) - f
+
+    fusion = brentq(above, 1.0, 99.0)
     assert f"= {100.0 * percent:.1f} %" in text
     assert f"= {depth:.3f}, at most 2" in text
     assert f"$ = {fusion:.1f} Hz." in text

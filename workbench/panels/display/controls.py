@@ -21,10 +21,10 @@ from workbench.display import VectorTiming, vector_displays
 from workbench.display.phosphor import Phosphor
 from workbench.display.setup import COLOUR_TUBE, phosphor_choices
 from workbench.language import _
-from workbench.panels.display.flash_warning import CalmSwitch
 from workbench.session.session import Session
 from workbench.widgets.fields.choice_box import ChoiceBox
 from workbench.widgets.fields.number_field import NumberField
+from workbench.widgets.look.flash_warning import CalmSwitch
 from workbench.widgets.look.flow_layout import flowing
 from workbench.widgets.look.icons import icon
 from workbench.widgets.look.spans import span_text

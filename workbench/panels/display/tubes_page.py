@@ -9,13 +9,13 @@ from workbench.display.raster_beam import RasterBeam
 from workbench.display.refresh_limit import longest_steady_s
 from workbench.language import _
 from workbench.panels.display.controls import DisplayControls
-from workbench.panels.display.flash_warning import FlashWarning
 from workbench.panels.display.instruments import TubeInstruments
 from workbench.panels.shared.tube_feed import TubeFeed
 from workbench.panels.stage.plain_page import PlainPage
 from workbench.rendering import unshown
 from workbench.session.session import Session
 from workbench.widgets.look.comfort import comfort
+from workbench.widgets.look.flash_warning import FlashWarning
 from workbench.widgets.look.flow_layout import FlowArea
 from workbench.widgets.tube.view import TubeView
 

@@ -17,7 +17,6 @@ from workbench.document.fields import Number
 from workbench.document.subjects import Argument, Subject
 from workbench.language import _
 from workbench.panels.display.controls import phosphor_title
-from workbench.panels.display.flash_warning import CalmSwitch
 from workbench.panels.display.flicker.figures import moving
 from workbench.rendering.subjects.flicker import (
     BAR,
@@ -35,6 +34,7 @@ from workbench.rendering.subjects.flicker import (
 )
 from workbench.widgets.fields.choice_box import ChoiceBox
 from workbench.widgets.fields.number_field import NumberField, complaint_label
+from workbench.widgets.look.flash_warning import CalmSwitch
 from workbench.widgets.look.icons import set_icon
 from workbench.widgets.look.tips import tell_choice
 

@@ -26,7 +26,6 @@ from workbench.document.subjects import Argument, Position, Subject
 from workbench.exchange.diagrams import Derivation
 from workbench.exchange.tables import Table
 from workbench.language import _
-from workbench.panels.display.flash_warning import FlashWarning
 from workbench.panels.display.flicker.controls import FlickerControls
 from workbench.panels.display.flicker.derivation import derivation
 from workbench.panels.display.flicker.figures import column_at, moved_picture, moving
@@ -39,6 +38,7 @@ from workbench.rendering.scene.backdrop import whole_picture
 from workbench.rendering.subjects.flicker import KIND, given, is_of_a_phosphor, number, phosphor_of, setup_of
 from workbench.session.answers import Answers
 from workbench.session.session import Session
+from workbench.widgets.look.flash_warning import FlashWarning
 from workbench.widgets.plots.flicker_map import FlickerMap
 from workbench.widgets.plots.light_plot import LightPlot, Trace
 from workbench.widgets.tables.table_copies import put_on_clipboard

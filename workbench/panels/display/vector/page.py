@@ -229,7 +229,7 @@ class VectorPage(PlainPage, QWidget):
         words = [*seen, run.note]
         self.note.setText(" ".join(filter(None, words)))
         self.note.setVisible(any(words))
-        self.plot.setVisible(not run.stores and self.height() >= _LOW_PX)
+        self._share_height()
         self.plot.show_curve(run.curve, run.budget.lines, MOST_LINES)
         self.architecture.show_drawing(partial(architecture, run.working), told(run.working))
 
@@ -316,6 +316,9 @@ class VectorPage(PlainPage, QWidget):
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Where it is low, list and tube need the height that sum and plot have."""
         super().resizeEvent(event)
+        self._share_height()
+
+    def _share_height(self) -> None:
         low = self.height() < _LOW_PX
         self.sums.setVisible(not low)
         self.plot.setVisible(not low and not (self._run is not None and self._run.stores))
