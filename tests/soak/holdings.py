@@ -49,7 +49,7 @@ class Holdings:
     objects: int  # thousands, of Python, that can hold others and are not frozen
     widgets: int
     kernels: int
-    kept: int  # results in all the caches of functions
+    kept: int  # results in all the caches of functions, before those with a bound were emptied
     pictures: float  # in the memories of what is costly to draw
 
     def __str__(self) -> str:
@@ -63,9 +63,15 @@ def edited(session: Any) -> str:
 
 
 def holdings() -> Holdings:
-    """What the process holds now; garbage is collected, and what was freed is given back."""
+    """What the process holds now; caches that have a bound are emptied, garbage is collected, and what was
+    freed is given back."""
     from workbench.rendering import memory
 
+    caches = _caches()
+    kept = sum(cache.cache_info().currsize for cache in caches)
+    for cache in caches:
+        if cache.cache_info().maxsize is not None:
+            cache.cache_clear()
     for _again in range(3):
         gc.collect()
     if _TRIM is not None:
@@ -73,9 +79,6 @@ def holdings() -> Holdings:
     with open("/proc/self/statm") as numbers:
         _size, resident, of_files, *_rest = map(int, numbers.read().split())
     info = _ALLOCATED() if _ALLOCATED is not None else _Mallinfo()
-    # By name, as what is loaded at the beginning is hidden from the collector
-    modules = [vars(module) for name, module in list(sys.modules.items()) if name.startswith("workbench.")]
-    caches = {id(c): c for names in modules for c in names.values() if type(c) is _Cache}
     return Holdings(
         (resident - of_files) * os.sysconf("SC_PAGESIZE") / 1e6,
         (info.uordblks + info.hblkhd) / 1e6,
@@ -84,9 +87,15 @@ def holdings() -> Holdings:
         len(gc.get_objects()) // 1000,
         len(QApplication.allWidgets()),
         _kernels(),
-        sum(cache.cache_info().currsize for cache in caches.values()),
+        kept,
         sum(each._bytes for each in memory._memories) / 1e6,
     )
+
+
+def _caches() -> list[Any]:
+    """The caches of the program's functions, by name, as the collector does not see what is loaded at the start."""
+    modules = [vars(module) for name, module in list(sys.modules.items()) if name.startswith("workbench.")]
+    return list({id(c): c for names in modules for c in names.values() if type(c) is _Cache}.values())
 
 
 def _kernels() -> int:

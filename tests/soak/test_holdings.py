@@ -16,7 +16,8 @@ from workbench.session.session import Session
 def test_each_kind_is_counted_where_it_is_held(qtbot: QtBot) -> None:
     view_map.cache_clear()
     compiled.collect(get("bresenham_line").function, 0, 0, 9, 4)
-    before = holdings()
+    emptied, before = holdings(), holdings()
+    assert before.kept <= emptied.kept
     memory = Memory[np.ndarray](1 << 24)
     memory.get("zeros", lambda: np.full(10**6, 1.0))
     for number in range(5):
@@ -28,6 +29,7 @@ def test_each_kind_is_counted_where_it_is_held(qtbot: QtBot) -> None:
     after = holdings()
     assert 8 <= after.pictures - before.pictures < 8.1
     assert (after.kept - before.kept, after.widgets - before.widgets) == (5, 1 + len(children))
+    assert view_map.cache_info().currsize == 0  # it has a bound
     assert after.blocks - before.blocks >= len(texts) // 1000
     assert after.resident > before.resident
     assert after.kernels >= 1
