@@ -93,7 +93,7 @@ def holdings() -> Holdings:
 
 
 def _caches() -> list[Any]:
-    """The caches of the program's functions, by name, as the collector does not see what is loaded at the start."""
+    """The caches of functions, by name, as what is loaded at the beginning is hidden from the collector."""
     modules = [vars(module) for name, module in list(sys.modules.items()) if name.startswith("workbench.")]
     return list({id(c): c for names in modules for c in names.values() if type(c) is _Cache}.values())
 

@@ -13,7 +13,8 @@ Memory is what the process holds for itself at rest, pages of library files asid
 every workspace has been entered with, in a window as large as at first, caches of functions emptied that have
 a bound (they fill for hours; those without one stay, and tell), garbage collected, and what was freed given
 back by the allocator (``malloc_trim``), which else keeps tens of megabytes of it, at times more and at times
-less. The median of the marks at 8,000 to 12,000 events is compared with that of the marks at 16,000 to 20,000.
+less. The median of the marks at 8,000 to 12,000 events is compared with that of the marks at 16,000 to
+20,000.
 """
 
 import argparse
