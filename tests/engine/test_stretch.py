@@ -39,7 +39,7 @@ def both(entry: Entry, passed: int, limit: int = 1_000_000) -> tuple[Recording, 
 
 
 @pytest.mark.parametrize("entry", ENTRIES, ids=lambda entry: entry.slug)
-@settings(max_examples=12)
+@settings(max_examples=8)
 @given(data=st.data())
 def test_a_stretch_is_the_whole_from_there(entry: Entry, data: st.DataObject) -> None:
     whole = whole_run(entry.slug)

@@ -105,10 +105,10 @@ def test_many_closed_triangles_of_whole_corners_lose_a_pixel():
     """As the entry's not-law says."""
     chance = np.random.default_rng(1)
     wrong = 0
-    for _triangle in range(200):
+    for _triangle in range(40):
         polygon = [tuple(map(float, corner)) for corner in chance.integers(0, 40, (3, 2))], [3]
         wrong += set(pixels(polygon, True, False)) != covered(*polygon, True, False)
-    assert wrong > 20
+    assert wrong > 4
 
 
 LEVEL_STEP = [(1, 1), (7, 1), (7, 3), (9, 3), (9, 5), (5, 8), (1, 5)]

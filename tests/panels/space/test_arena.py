@@ -15,7 +15,7 @@ from workbench.exchange.diagram_svg import write_diagram
 from workbench.exchange.diagrams import Drawing, Sentence
 from workbench.panels.space.arena import work
 from workbench.panels.space.arena.page import ArenaPage
-from workbench.panels.space.arena.tile import beside
+from workbench.panels.space.arena.tile import MethodTile, beside
 from workbench.panels.space.panel import SpacePanel
 from workbench.rendering.scene.growth import Growth
 from workbench.session.session import Session
@@ -233,6 +233,12 @@ def test_a_ready_scene_is_opened_here_and_run(qtbot, page, session):
     session.visit("arena", page.usual)
     until_run(qtbot, page, METHODS + 1)
     assert {method for method, tile in page.grid.tiles.items() if tile.wrong} == {"back_faces", "painter"}
+
+
+def test_tiles_that_are_replaced_are_out_of_sight_at_once(page):
+    inner = page.grid.widget()
+    page.grid.show_methods(("painter",), (3, 2))
+    assert [tile.method for tile in inner.findChildren(MethodTile) if tile.isVisible()] == ["painter"]
 
 
 def test_a_sheet_without_a_scene_says_so_and_offers_one(qtbot, page, session):

@@ -25,3 +25,21 @@ def test_words_without_room_end_in_dots_on_the_box(qtbot):
     assert box.grab().toImage() == other.grab().toImage()
     box.resize(400, box.height())
     assert box.words_seen() == WORDS
+
+
+def test_what_stands_for_a_choice_is_seen_while_nothing_is_chosen(qtbot):
+    box = ChoiceBox(20)
+    keep_until_the_end(qtbot, box)
+    box.addItem(WORDS)
+    box.setPlaceholderText("Ready scenes")
+    box.setCurrentIndex(-1)
+    box.resize(box.sizeHint())
+    box.show()
+    qtbot.waitExposed(box)
+    told = box.grab().toImage()
+    box.setPlaceholderText("")
+    assert box.grab().toImage() != told
+    box.setPlaceholderText("Ready scenes")
+    assert box.words_seen() == "Ready scenes"
+    box.setCurrentIndex(0)
+    assert box.words_seen() == WORDS

@@ -14,14 +14,15 @@ class ChoiceBox(QComboBox):
         self.setMinimumContentsLength(letters)
 
     def words_seen(self) -> str:
-        """What is chosen, as far as there is room for it."""
+        """What is chosen, or what stands for it while nothing is, as far as there is room for it."""
         option = QStyleOptionComboBox()
         self.initStyleOption(option)
         field = self.style().subControlRect(
             QStyle.ComplexControl.CC_ComboBox, option, QStyle.SubControl.SC_ComboBoxEditField, self
         )
         room = field.width() - 2
-        return self.fontMetrics().elidedText(self.currentText(), Qt.TextElideMode.ElideRight, room)
+        words = self.currentText() if self.currentIndex() >= 0 else self.placeholderText()
+        return self.fontMetrics().elidedText(words, Qt.TextElideMode.ElideRight, room)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         """As any box, the words with their dots."""

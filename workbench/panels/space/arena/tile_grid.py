@@ -39,6 +39,7 @@ class TileGrid(QScrollArea):
         """A tile for each method, whose pictures are of this size."""
         if tuple(self.tiles) != methods:
             for tile in self.tiles.values():
+                tile.hide()  # else it is seen below the new ones until it goes
                 tile.deleteLater()
             self.tiles = {method: self._tile(method) for method in methods}
             self.setFocusProxy(next(iter(self.tiles.values()), self._inner))
