@@ -12,6 +12,7 @@ import sys
 from dataclasses import dataclass, fields
 from typing import Any
 
+from PySide6.QtGui import QPixmapCache
 from PySide6.QtWidgets import QApplication
 
 from workbench.document.weight import weight
@@ -72,6 +73,7 @@ def holdings() -> Holdings:
     for cache in caches:
         if cache.cache_info().maxsize is not None:
             cache.cache_clear()
+    QPixmapCache.clear()
     for _again in range(3):
         gc.collect()
     if _TRIM is not None:

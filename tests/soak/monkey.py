@@ -10,11 +10,11 @@ crash, an event that takes the interface over 30 s of processor time or never en
 log names each event before it is done.
 
 Memory is what the process holds for itself at rest, pages of library files aside: an empty picture, which
-every workspace has been entered with, in a window as large as at first, caches of functions emptied that have
-a bound (they fill for hours; those without one stay, and tell), garbage collected, and what was freed given
-back by the allocator (``malloc_trim``), which else keeps tens of megabytes of it, at times more and at times
-less. The median of the marks at 8,000 to 12,000 events is compared with that of the marks at 16,000 to
-20,000.
+every workspace has been entered with, on its first page and with its docks as at first, in a window as large
+as then; caches of functions emptied that have a bound (they fill for hours; those without one stay, and
+tell), garbage collected, and what was freed given back by the allocator (``malloc_trim``), which else keeps
+tens of megabytes of it, at times more and at times less. The median of the marks at 8,000 to 12,000 events is
+compared with that of the marks at 16,000 to 20,000.
 """
 
 import argparse
@@ -38,7 +38,7 @@ from PySide6.QtGui import QDrag
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox
 
-from tests.soak.events import KINDS, page, workspace
+from tests.soak.events import KINDS, PAGED, page, workspace
 from tests.soak.hand import Hand
 from tests.soak.holdings import edited, holdings
 from workbench.shell.workspaces import workspaces
@@ -180,6 +180,9 @@ class Monkey(QObject):
         for each in (*workspaces(), workspaces()[0]):  # each keeps what it showed until it is entered
             self._window.go(each.slug)
             QTest.qWait(_REST_MS)
+            self._window.reset_workspace()
+            if each.slug in PAGED and (panels := self._window.panels(each.slug)):
+                panels[0].show_page()
         held = holdings()
         self.megabytes.append(held.resident)
         print(f"# {self._done} events, {held.resident:.1f} MB; {held}; {weights}", file=self._log, flush=True)
