@@ -31,7 +31,10 @@ def test_the_words_are_those_that_were_approved(entry: Entry, pytestconfig: pyte
 
 @each
 def test_every_view_that_says_something_is_among_them(entry: Entry) -> None:
-    unseen = [view for view in entry.views if view.sentence or view.row]
+    """Those for arrays too large to record are shown by ``engine/test_left_out.py``."""
+    unseen = [
+        view for view in entry.views if (view.sentence or view.row) and "not is_recorded(" not in view.when
+    ]
     sentences = told(entry, telling_runs(entry)).splitlines()
     for run in telling_runs(entry):
         for step in steps_of(entry, run):

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from workbench.algorithms import catalogue
 from workbench.algorithms.entry import Entry, Kind
 from workbench.engine.containers import LARGEST_ARRAY
+from workbench.engine.effects import text_of
 from workbench.language import _
 
 _MOST_EXPECTED = 2**24
@@ -98,14 +99,21 @@ def bind(function: Callable[..., Any], arguments: tuple[Any, ...], copied: bool)
     return tuple(_formed(name, kind, value, copied) for (name, kind), value in pairs)
 
 
+def _written(function: Callable[..., Any]) -> set[str]:
+    """The names of the lists and arrays whose elements a text sets."""
+    return {name for effects in text_of(function).effects.values() for name, _index in effects.stores}
+
+
 def for_recording(function: Callable[..., Any], arguments: tuple[Any, ...]) -> tuple[Any, ...]:
-    """``arguments`` with long lists of points and numbers, which no text writes, as copies for reading only.
+    """``arguments`` with long lists of points and numbers that the text does not write as copies for reading.
 
     What cannot be written is recorded whole, however long it is.
     """
     kept = list(arguments)
-    for number, (value, (_name, kind)) in enumerate(zip(arguments, kinds(function), strict=False)):
-        if kind in LISTS and isinstance(value, np.ndarray) and value.size > LARGEST_ARRAY:
+    for number, (value, (name, kind)) in enumerate(zip(arguments, kinds(function), strict=False)):
+        if not isinstance(value, np.ndarray) or value.size <= LARGEST_ARRAY:
+            continue
+        if kind in LISTS and name not in _written(function):
             kept[number] = value.copy()
             kept[number].setflags(write=False)
     return tuple(kept)

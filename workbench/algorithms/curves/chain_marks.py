@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms.marks import MOST_SPOTS, Mark, Spot, Stroke
+from workbench.algorithms.recorded import is_recorded
 
 
 def chain_marks(
@@ -29,7 +30,7 @@ def flattening_marks(
     arguments: tuple[Any, ...], now: Mapping[str, Any], emitted: NDArray[Any], ended: bool
 ) -> Iterator[Mark]:
     """The chain so far, and the control polygons of the pieces that wait, the one on top with its chord."""
-    top = -1 if ended else now.get("top", -1)
+    top = -1 if ended or not is_recorded(now.get("stack")) else now.get("top", -1)
     for piece in range(top):
         yield Stroke(now["stack"][piece].copy(), "muted", "hair", "dash")
     if top >= 0:

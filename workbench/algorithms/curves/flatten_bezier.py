@@ -14,8 +14,9 @@ from numpy.typing import NDArray
 
 from workbench.algorithms.curves.chain_marks import flattening_marks
 from workbench.algorithms.curves.parameters import BEZIER_POINTS, TOLERANCE, bezier_and_tolerance
-from workbench.algorithms.curves.waiting_pieces import chord, waiting_rows
+from workbench.algorithms.curves.waiting_pieces import chord, chord_of, waiting_rows
 from workbench.algorithms.entry import Entry, Law, View
+from workbench.algorithms.recorded import is_recorded
 from workbench.geometry.curves.refusals import refuse_bezier
 
 # A piece is 2^-20 of the curve then, and as near to its chord as rounding lets it be
@@ -99,7 +100,7 @@ def flatten_bezier(points: NDArray[Any], tolerance: float) -> Iterator[tuple[flo
 
 
 _FLAT = "Is the piece on top flat?"
-_ROW = "(top, int(depth[top]), *chord(stack[top]), distance, 'yes' if flat else 'no')"
+_ROW = "(top, int(depth[top]), *chord_of(stack, top), distance, 'yes' if flat else 'no')"
 _TABLES = {"Pieces that wait": ("waiting_rows(stack, depth, top)", ("piece", "divided", "from", "to"))}
 
 ENTRY = Entry(
@@ -113,7 +114,7 @@ ENTRY = Entry(
     emits="points",
     source="Lane and Riesenfeld, 1980; Hearn and Baker, Computer Graphics, C Version, section 10-15",
     columns=("piece", "divided", "from", "to", "distance", "flat"),
-    view_functions=(chord, waiting_rows),
+    view_functions=(chord, chord_of, is_recorded, waiting_rows),
     views=(
         View(
             block="Begin with the whole curve",
@@ -122,13 +123,22 @@ ENTRY = Entry(
         ),
         View(
             block=_FLAT,
+            when="not is_recorded(stack)",
+            row=_ROW,
+            options="('flat', 'divide')",
+            answer="'flat' if flat else 'divide'",
+            sentence="The points of piece {top} are at most {distance} from its chord, and {tolerance} is "
+            "allowed: {'draw the chord' if flat else 'divide it in the middle'}.",
+        ),
+        View(
+            block=_FLAT,
             when="flat",
             row=_ROW,
             tables=_TABLES,
             options="('flat', 'divide')",
             answer="'flat'",
-            sentence="The piece from {chord(stack[top])[0]} to {chord(stack[top])[1]} is no farther than "
-            "{distance} from its chord, which is not more than {tolerance}: draw the chord.",
+            sentence="The piece from {chord_of(stack, top)[0]} to {chord_of(stack, top)[1]} is no farther "
+            "than {distance} from its chord, which is not more than {tolerance}: draw the chord.",
         ),
         View(
             block=_FLAT,
@@ -136,7 +146,7 @@ ENTRY = Entry(
             tables=_TABLES,
             options="('flat', 'divide')",
             answer="'divide'",
-            sentence="The piece from {chord(stack[top])[0]} to {chord(stack[top])[1]} may be as far as "
+            sentence="The piece from {chord_of(stack, top)[0]} to {chord_of(stack, top)[1]} may be as far as "
             "{distance} from its chord, more than {tolerance}: divide it in the middle.",
         ),
     ),

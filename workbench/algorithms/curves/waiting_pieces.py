@@ -4,12 +4,19 @@ from typing import Any
 
 from numpy.typing import NDArray
 
+from workbench.algorithms.recorded import is_recorded
+
 Point = tuple[float, ...]
 
 
 def chord(piece: NDArray[Any]) -> tuple[Point, Point]:
     """Both ends of a piece."""
     return tuple(piece[0].tolist()), tuple(piece[-1].tolist())
+
+
+def chord_of(stack: NDArray[Any], number: int) -> tuple[Point, Point] | tuple[str, str]:
+    """Both ends of a piece on the stack."""
+    return chord(stack[number]) if is_recorded(stack) else ("–", "–")
 
 
 def waiting_rows(stack: NDArray[Any], depth: NDArray[Any], top: int) -> list[tuple[int, int, Point, Point]]:

@@ -102,7 +102,10 @@ ENTRY = Entry(
     source="Hearn and Baker, Computer Graphics, C Version, section 3-11",
     columns=COLUMNS,
     views=fill_views(
-        "scan_line_integer", "corners", "Update the active edge table: x and counter", rounds=False
+        "scan_line_integer",
+        "whole_corners(vertices)",
+        "Update the active edge table: x and counter",
+        rounds=False,
     ),
     view_functions=VIEW_FUNCTIONS,
     laws=(

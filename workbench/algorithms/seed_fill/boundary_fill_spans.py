@@ -12,6 +12,7 @@ from typing import Any
 from numpy.typing import NDArray
 
 from workbench.algorithms.entry import Entry, Law
+from workbench.algorithms.recorded import is_recorded
 from workbench.algorithms.seed_fill.example import BOUNDED, picture_seed_and_boundary
 from workbench.algorithms.seed_fill.pixels import get_pixel, is_in
 from workbench.algorithms.seed_fill.regions import bounded_4
@@ -95,7 +96,7 @@ ENTRY = Entry(
     source="Hearn and Baker, Computer Graphics, C Version, section 3-11",
     columns=COLUMNS,
     views=VIEWS,
-    view_functions=(is_in, run_text, tested_pixels),
+    view_functions=(is_in, is_recorded, run_text, tested_pixels),
     tests_in=(run_left, run_right),
     laws=(
         Law(

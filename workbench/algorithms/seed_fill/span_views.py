@@ -40,7 +40,7 @@ def _filled(when: str, sentence: str) -> View:
 
 
 def _no_run(when: str, why: str) -> View:
-    """A pixel at which no run begins."""
+    """A pixel at which no run begins; a large picture is not recorded, and why is not told there."""
     return View(
         block=_FILL,
         when=f"right < before.left and {when}",
@@ -85,6 +85,7 @@ VIEWS = (
         "{run_text(left, span_left - 2)} for the way back.",
     ),
     View(block=_BACK, considers="(left - 1, y)"),
+    _no_run("not is_recorded(image)", "is boundary or has been filled already"),
     _no_run("image[y, right + 1] == boundary", "is boundary"),
     _no_run("True", "has been filled already"),
     _filled(

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from workbench.algorithms.entry import View
 from workbench.algorithms.marks import MOST_SPOTS, Ink, Mark, Stroke, Weight, closed
+from workbench.algorithms.recorded import is_recorded
 from workbench.algorithms.visibility.box_cuts import Cut
 from workbench.algorithms.visibility.boxes import NONE, X_HIGH, X_LOW, Y_HIGH, Y_LOW, Boxes
 from workbench.algorithms.visibility.ray_views import offered
@@ -20,7 +21,7 @@ _AXES = "xyz"
 
 def box_mark(boxes: Boxes, box: int, ink: Ink = "accent", weight: Weight = "medium") -> tuple[Mark, ...]:
     """The outline of a box as the eye sees it; of an empty one there is none."""
-    if boxes.first[box] == boxes.end[box]:
+    if not is_recorded(*boxes) or boxes.first[box] == boxes.end[box]:
         return ()
     left, right, low, high = boxes.extents[box, [X_LOW, X_HIGH, Y_LOW, Y_HIGH]]
     return (Stroke(closed(np.array([[left, low], [right, low], [right, high], [left, high]])), ink, weight),)
@@ -38,6 +39,8 @@ def box_marks(
 
 def surfaces_in(boxes: Boxes, order: NDArray[np.int64], box: int) -> str:
     """The numbers of the surfaces in a box."""
+    if not is_recorded(order, *boxes):
+        return "–"
     return listed(order[boxes.first[box] : boxes.end[box]].tolist())
 
 
@@ -50,6 +53,8 @@ def box_rows(boxes: Boxes, order: NDArray[np.int64], total: int) -> list[tuple[i
 
 def inner_of(boxes: Boxes, box: int) -> str:
     """The two boxes in a box."""
+    if not is_recorded(boxes.inner):
+        return "–"
     inner = int(boxes.inner[box])
     return "–" if inner == NONE else f"{inner}, {inner + 1}"
 
@@ -61,10 +66,25 @@ def across(cut: Cut) -> str:
 
 def waiting_boxes(waiting: NDArray[np.int64], count: int) -> list[tuple[int]]:
     """The boxes that wait, the nearest last."""
-    return [(box,) for box in waiting[:count].tolist()]
+    return [(box,) for box in waiting[:count].tolist()] if is_recorded(waiting) else []
 
 
-VIEW_FUNCTIONS = (listed, offered, box_mark, surfaces_in, box_rows, inner_of, across, waiting_boxes)
+def surfaces_offered(order: NDArray[np.int64]) -> tuple[Any, ...]:
+    """The answers to which surface is seen."""
+    return offered(sorted(order.tolist())) if is_recorded(order) else ()
+
+
+VIEW_FUNCTIONS = (
+    listed,
+    is_recorded,
+    box_mark,
+    surfaces_in,
+    box_rows,
+    inner_of,
+    across,
+    waiting_boxes,
+    surfaces_offered,
+)
 
 _TAKE = "Take a box: few surfaces stay as they are"
 _CUT = "Find the cut that leaves rays the least to try"
@@ -79,7 +99,7 @@ _BOX = "box_mark(boxes, box)"
 VIEWS = (
     View(
         block="Put one box around all surfaces",
-        sentence="One box is put around {len(order)} surfaces.",
+        sentence="One box is put around {order.shape[0]} surfaces.",
     ),
     View(
         block=_TAKE,
@@ -118,6 +138,12 @@ VIEWS = (
     ),
     View(
         block=_TRY,
+        when="not is_recorded(*boxes)",
+        tables=_WAITING,
+        sentence="The ray through {(x, y)} is tried on box {box}.",
+    ),
+    View(
+        block=_TRY,
         when="missed(boxes, box, x, y, nearest)",
         tables=_WAITING,
         marks=_BOX,
@@ -149,21 +175,21 @@ VIEWS = (
         when="seen == -1",
         candidates="((x, y),)",
         rejected="((x, y),)",
-        row="((x, y), len(order), tried, '–', 'none')",
+        row="((x, y), order.shape[0], tried, '–', 'none')",
         considers="(x, y)",
-        options="offered(sorted(order.tolist()))",
+        options="surfaces_offered(order)",
         answer="'none'",
-        sentence="The ray through {(x, y)} is tried on {tried} of {len(order)} surfaces and meets none.",
+        sentence="The ray through {(x, y)} is tried on {tried} of {order.shape[0]} surfaces and meets none.",
     ),
     View(
         block=_GIVE,
         candidates="((x, y),)",
         chosen="((x, y),)",
-        row="((x, y), len(order), tried, nearest, seen)",
+        row="((x, y), order.shape[0], tried, nearest, seen)",
         considers="(x, y)",
-        options="offered(sorted(order.tolist()))",
+        options="surfaces_offered(order)",
         answer="seen",
-        sentence="The ray through {(x, y)} is tried on {tried} of {len(order)} surfaces; surface {seen} is "
-        "the nearest, at z = {nearest}.",
+        sentence="The ray through {(x, y)} is tried on {tried} of {order.shape[0]} surfaces; surface {seen} "
+        "is the nearest, at z = {nearest}.",
     ),
 )
