@@ -49,7 +49,9 @@ class PagedPanel(PlainPanel, QWidget):
         self.session = session
         self._wing, self._rows = wing, rows
         self._pages: dict[str, Page] = {}
+        self._zooms: dict[str, str] = {}  # what each page said last
         self._actions: list[QAction] = []
+        self.page = ""
         self.stack = QStackedWidget()
         self.switch = QHBoxLayout()
         self.switch.setContentsMargins(8, 4, 8, 4)
@@ -68,7 +70,6 @@ class PagedPanel(PlainPanel, QWidget):
         if len(self._rows) > 1:
             whole.addLayout(self.switch)
         whole.addWidget(self.stack, 1)
-        self.page = ""
         self._docks_placed = False
         self._stand_ins: list[QDockWidget] = []  # of no page, in front only for want of a page's own
         self.show_page(self._rows[0].slug)
@@ -80,7 +81,12 @@ class PagedPanel(PlainPanel, QWidget):
         if said.hover is not None:
             said.hover.connect(self.hover_text)
         if said.zoom is not None:
-            said.zoom.connect(lambda text: self.zoom_text.emit(text) if self.page == slug else None)
+            said.zoom.connect(partial(self._take_zoom, slug))
+
+    def _take_zoom(self, slug: str, text: str) -> None:
+        self._zooms[slug] = text
+        if self.page == slug:
+            self.zoom_text.emit(text)
 
     def _add_switch(self, number: int, slug: str, title: str, tooltip: str) -> None:
         button = QPushButton(title)
@@ -104,6 +110,7 @@ class PagedPanel(PlainPanel, QWidget):
         number = [row.slug for row in self._rows].index(slug)
         page = self._pages[slug]
         self.stack.setCurrentIndex(number)
+        self.zoom_text.emit(self._zooms.get(slug, ""))
         self.buttons.buttons()[number].setChecked(True)
         self.setFocusProxy(page.widget)
         self._bring_docks_forward()
