@@ -67,6 +67,25 @@ def test_the_zoom_is_that_of_the_page(qtbot: QtBot, session: Session) -> None:
     assert said == ["100 %", "", "7 px", "100 %"]
 
 
+def test_no_title_of_a_page_is_cut_in_a_narrow_window(qtbot: QtBot, session: Session) -> None:
+    titles = ("Tubes", "Gun", "Raster", "Random scan", "Raster or random", "Flicker", "Colour")
+    panel = PagedPanel(
+        session, "test", [PageRow(title.lower(), title, "", f"{__name__}:BarePage") for title in titles]
+    )
+    qtbot.addWidget(panel)
+    panel.resize(900, 300)
+    panel.show()
+    settle()
+    buttons = panel.buttons.buttons()
+    assert len({button.y() for button in buttons}) == 1
+    panel.resize(300, 300)
+    settle()
+    assert panel.width() == 300
+    assert all(button.width() >= button.sizeHint().width() for button in buttons)
+    assert all(panel.rect().contains(button.mapTo(panel, button.rect().bottomRight())) for button in buttons)
+    assert all(button.mapTo(panel, button.rect().bottomLeft()).y() < panel.stack.y() for button in buttons)
+
+
 def test_the_dock_of_the_page_comes_before_those_of_others(qtbot: QtBot, session: Session) -> None:
     rows = [PageRow(slug, slug, "", f"{__name__}:OnePage") for slug in ("first", "second")]
     panel = PagedPanel(session, "test", rows)

@@ -8,7 +8,6 @@ from PySide6.QtGui import QAction, QKeySequence, QShowEvent
 from PySide6.QtWidgets import (
     QButtonGroup,
     QDockWidget,
-    QHBoxLayout,
     QMainWindow,
     QMenu,
     QPushButton,
@@ -24,6 +23,7 @@ from workbench.language import _
 from workbench.panels.panel import Cell, DockPart, KeysWhileSeen, PlainPanel, Said
 from workbench.panels.stage.workspace_page import Page, PageRow
 from workbench.session.session import Session
+from workbench.widgets.look.flow_layout import flowing
 from workbench.widgets.look.in_sight import dock_around, in_front
 
 
@@ -53,9 +53,8 @@ class PagedPanel(PlainPanel, QWidget):
         self._actions: list[QAction] = []
         self.page = ""
         self.stack = QStackedWidget()
-        self.switch = QHBoxLayout()
-        self.switch.setContentsMargins(8, 4, 8, 4)
-        self.switch.setSpacing(4)
+        strip = QWidget()
+        self.switch = flowing(strip, 4, 0)  # in a narrow window in further rows, so that no title is cut
         self.buttons = QButtonGroup(self)
         for number, row in enumerate(self._rows, 1):
             page = self._pages[row.slug] = (pages or {}).get(row.slug) or row.make(session)
@@ -63,12 +62,14 @@ class PagedPanel(PlainPanel, QWidget):
             self._connect(row.slug, page)
             self._add_switch(number, row.slug, row.title, row.tooltip)
         KeysWhileSeen(self, self._actions)
-        self.switch.addStretch(1)
         whole = QVBoxLayout(self)
         whole.setContentsMargins(0, 0, 0, 0)
         whole.setSpacing(0)
         if len(self._rows) > 1:
-            whole.addLayout(self.switch)
+            around = QVBoxLayout()
+            around.setContentsMargins(8, 4, 8, 4)
+            around.addWidget(strip)
+            whole.addLayout(around)
         whole.addWidget(self.stack, 1)
         self._docks_placed = False
         self._stand_ins: list[QDockWidget] = []  # of no page, in front only for want of a page's own
