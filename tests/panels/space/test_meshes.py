@@ -59,7 +59,10 @@ def test_a_mesh_comes_beside_what_is_in_the_scene_and_what_was_left_out_is_said(
     path.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\nf 1 2 3\n", encoding="utf-8")
     session = Session()
     session.open_example("space-isometric")
+    shown_anew: list[bool] = []
+    session.opened.connect(lambda: shown_anew.append(True))
     (said,) = imported(qtbot, session, path)
+    assert not shown_anew  # what is stepped and selected on the sheet stays so
     assert len(session.document.sheets) == 1
     assert session.sheet.scene is not None
     assert [thing.name for thing in session.sheet.scene.objects] == ["Cube", "part"]

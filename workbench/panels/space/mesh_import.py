@@ -75,7 +75,9 @@ class MeshImport:
             self._refuse(path, say, problem.short)
             return
         new = [sheet.id for sheet in session.document.sheets if sheet.id not in sheets]
-        session.show_sheet(new[0] if new else beside)  # another may have been shown while it was read
+        onto = new[0] if new else beside
+        if session.sheet.id != onto:  # another may have been shown while it was read
+            session.show_sheet(onto)
         scene = session.sheet.scene
         if scene is not None:
             session.update_state(thing=scene.objects[-1].id)
