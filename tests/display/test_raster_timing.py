@@ -49,7 +49,8 @@ def test_what_cannot_be_scanned_says_why() -> None:
         ({"h_active": 0}, "no pixels"),
         ({"v_sync": 0}, "sync"),
         ({"h_back_porch": -700}, "smaller than the picture"),
-        ({"pixel_clock_hz": Fraction(0)}, "clock"),
+        ({"pixel_clock_hz": Fraction(0)}, "clock of 0 MHz"),
+        ({"pixel_clock_hz": Fraction(5e-324) * 10**6}, "clock of 4.94066e-324 MHz"),
         ({"v_active": 1, "interlaced": True}, "two lines"),
     ):
         assert word in replace(VGA, **changes).fault

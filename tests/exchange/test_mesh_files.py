@@ -257,15 +257,16 @@ def test_well_known_models_are_read_as_trimesh_reads_them(name: str) -> None:
             b"ply\nformat binary_little_endian 1.0\nelement vertex 999999\nproperty float x\n"
             b"property float y\nproperty float z\nelement face 1\nend_header\n",
             ".ply",
-            "ends in the middle of its list of 999,999 entries called vertex",
+            "ends before the last of 999,999 entries that it announces as vertex",
         ),
         (
             b"ply\nformat ascii 1.0\nelement vertex 999999999999\nelement face 1\nend_header\n",
             ".ply",
-            "999,999,999,999 vertices and 1 faces, and at most 4,000,000",
+            "999,999,999,999 vertices and 1 face, and at most 4,000,000",
         ),
         (b"Dear reader", ".off", "not an OFF"),
-        (b"OFF\n4 1 0\n0 0 0\n", ".off", "announces 4 vertices and 1 faces, but ends before"),
+        (b"OFF\n4 1 0\n0 0 0\n", ".off", "announces 4 vertices and 1 face, but ends before"),
+        (b"OFF\n-4 1 0\n0 0 0\n", ".off", "does not begin with the numbers of vertices and faces"),
         (b"OFF\n1e300 1 0\n", ".off", "too large"),
         (b"OFF\nnan 1 0\n", ".off", "too large"),
         (b"Dear reader", ".stl", "The file has no face"),
@@ -315,12 +316,12 @@ HEAD = "b'ply\\nformat %s 1.0\\nelement vertex 3\\nproperty float x\\nproperty f
         (
             f"read_mesh({HEAD % 'ascii'}element face 4000000\\nproperty list int int vertex_index\\n"
             "end_header\\n0 0 0 1 0 0 0 1 0\\n3 0 1 2\\n', '.ply')",
-            "ends in the middle",
+            "ends before the last",
         ),
         (
             f"read_mesh({HEAD % 'binary_big_endian'}element face 9\\nproperty list uint double "
             "vertex_index\\nend_header\\n' + b'\\xff' * 200, '.ply')",
-            "ends in the middle",
+            "ends before the last",
         ),
         ("read_mesh(b'solid ' + b'facet normal 0 0 1\\n' * 100_000, '.stl')", "has no face"),
     ],

@@ -3,10 +3,11 @@
 from collections.abc import Iterator
 
 import pytest
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QApplication, QMainWindow
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QApplication, QMainWindow, QWidget
 from pytestqt.qtbot import QtBot
 
+from workbench.panels.panel import PlainPanel, Said
 from workbench.shell.status import Status
 
 SHORT = "(12, 34) Line"
@@ -73,3 +74,31 @@ def test_a_place_without_steps_starts_with_nothing_said(bar: Bar) -> None:
     bar.settle()
     assert bar.status.hover.text() == ""
     assert bar.status.run.width() > 0
+
+
+class Zoomed(PlainPanel, QWidget):
+    """The middle of a workspace that says how far it is zoomed."""
+
+    zoom_text = Signal(str)
+
+    @property
+    def center(self) -> QWidget:
+        return self
+
+    def said(self) -> Said:
+        return Said(None, self.zoom_text)
+
+
+def test_the_zoom_is_that_of_the_workspace(bar: Bar, qtbot: QtBot) -> None:
+    panels = Zoomed(), Zoomed(), Zoomed()
+    for panel, text in zip(panels, ("100 %", "7 px", ""), strict=True):
+        qtbot.addWidget(panel)
+        bar.status.listen(panel)
+        if text:
+            panel.zoom_text.emit(text)  # of a panel out of sight, which is not yet to be read
+    assert bar.status.zoom.text() == "3100 %"
+    for panel, text in zip(panels, ("100 %", "7 px", ""), strict=True):
+        bar.status.in_workspace(True, [panel])
+        assert bar.status.zoom.text() == text
+    bar.status.in_workspace(False)
+    assert bar.status.zoom.text() == ""

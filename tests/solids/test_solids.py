@@ -182,14 +182,17 @@ def test_a_polygon_is_cut_into_triangles_that_cover_it_once(corners: int, seed: 
     ("call", "said"),
     [
         (lambda: solids.box(0.0), "is 0; choose a finite number above 0"),
-        (lambda: solids.torus(1.0, 1.0), "is 0; choose"),
+        (lambda: solids.torus(1.0, 0.0), "is 0; choose"),
+        (lambda: solids.torus(1.0, 1.5), "thickness of the ring is 1.5 and its radius 1; make"),
+        (lambda: solids.torus(1.0, 1.0), "smaller than the radius"),
         (lambda: solids.prism(2), "2 slices; choose 3 to 2000"),
         (lambda: solids.sphere(1.0, 10**7), "10000000 slices"),
         (lambda: solids.turned([(-1.0, 0.0), (1.0, 1.0)]), "beyond the axis"),
         (lambda: solids.extruded([(0, 0), (1, 1), (2, 2)]), "has no area"),
         (lambda: solids.extruded([(0, 0), (1, math.nan), (2, 2)]), "two finite numbers"),
         (lambda: solids.jug(math.inf), "the jug is inf high"),
-        (lambda: solids.bracket(thickness=2.0), "choose a finite number above 0"),
+        (lambda: solids.bracket(thickness=180.0), "is 180, its width 2 and its height 2; make the thickness"),
+        (lambda: solids.bracket(3.0, 2.0, thickness=2.0), "smaller than either"),
     ],
 )
 def test_what_is_no_solid_is_refused(call: Callable[[], Mesh], said: str) -> None:

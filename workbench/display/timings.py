@@ -15,6 +15,8 @@ from typing import Any
 from workbench.language import _
 from workbench.paths import resource
 
+LEAST_CLOCK_HZ = 1
+
 
 @dataclass(frozen=True, slots=True)
 class RasterTiming:
@@ -95,8 +97,10 @@ class RasterTiming:
             return _("Without a sync pulse the beam never flies back: give it at least 1.")
         if min(self.h_front_porch, self.h_back_porch, self.v_front_porch, self.v_back_porch) < 0:
             return _("A porch is negative, so the totals are smaller than the picture: give it 0 or more.")
-        if self.pixel_clock_hz <= 0:
-            return _("A pixel clock of 0 MHz never shows a pixel: give it more.")
+        if self.pixel_clock_hz < LEAST_CLOCK_HZ:
+            return _(
+                "At a pixel clock of {clock:g} MHz no picture ever comes: give it at least 1e-6 MHz."
+            ).format(clock=float(self.pixel_clock_hz / 10**6))
         if self.interlaced and self.v_active < 2:
             return _("Two fields need at least two lines: give the picture more, or scan it in one field.")
         return ""

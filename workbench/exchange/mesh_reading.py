@@ -3,6 +3,7 @@
 What cannot be kept is left out and counted; a file is refused only where nothing would be left of it.
 """
 
+import codecs
 from collections.abc import Callable
 from typing import NamedTuple
 
@@ -20,6 +21,7 @@ MOST_BYTES = 256 * 2**20
 MOST_VERTICES = MOST_FACES = 4_000_000
 MOST_CORNERS = 4_096  # of one face
 FARTHEST = 1e9
+_TEXTS = (".obj", ".off", ".ply")  # a PLY begins as one even where it goes on as bytes
 
 
 class Raw(NamedTuple):
@@ -44,9 +46,18 @@ class ImportedMesh(NamedTuple):
 
 def read_mesh(content: bytes, suffix: str, progress: Progress = silent) -> ImportedMesh:
     """The mesh in a file whose name ends in ``suffix``. Raises: ValueError with one sentence."""
+    if suffix.lower() in _TEXTS:
+        content = _unmarked(content)
     if not content.strip(b" \t\r\n\0"):
         raise ValueError(_("The file is empty; choose one with a mesh in it."))
     return sound(_reader(suffix.lower())(content, progress))
+
+
+def _unmarked(content: bytes) -> bytes:
+    """A text that begins with the mark of its encoding as UTF-8 without it; anything else as it is."""
+    if content[:2] in (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE):
+        return content.decode("utf-16", "replace").encode()
+    return content.removeprefix(codecs.BOM_UTF8)
 
 
 def _reader(suffix: str) -> Callable[[bytes, Progress], Raw]:
@@ -74,10 +85,22 @@ def refuse_counts(vertices: int, faces: int) -> None:
     """Raises: ValueError where a mesh has more than can be worked with."""
     if vertices > MOST_VERTICES or faces > MOST_FACES:
         sentence = _(
-            "The mesh has {vertices:,} vertices and {faces:,} faces, and at most {most:,} can be read; "
+            "The mesh has {vertices} and {faces}, and at most {most:,} of each can be read; "
             "choose a simpler one."
         )
-        raise ValueError(sentence.format(vertices=vertices, faces=faces, most=MOST_FACES))
+        raise ValueError(
+            sentence.format(vertices=of_vertices(vertices), faces=of_faces(faces), most=MOST_FACES)
+        )
+
+
+def of_vertices(count: int) -> str:
+    """So many vertices, in words."""
+    return ngettext("{count:,} vertex", "{count:,} vertices", count).format(count=count)
+
+
+def of_faces(count: int) -> str:
+    """So many faces, in words."""
+    return ngettext("{count:,} face", "{count:,} faces", count).format(count=count)
 
 
 def sound(raw: Raw) -> ImportedMesh:

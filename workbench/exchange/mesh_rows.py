@@ -37,6 +37,8 @@ class Rows(NamedTuple):
 
 def numbers_of(text: bytes) -> Array:
     """The numbers of a text with blanks between them. Raises: ValueError where it holds anything else."""
+    if b"," in text:
+        raise ValueError  # it would part what is one number to who wrote it
     if text[:1].isspace() or text[-1:].isspace() or b"  " in text or not text:
         text = b" ".join(text.split())
     try:
@@ -59,15 +61,21 @@ def rows_of(lines: list[bytes]) -> Rows:
     if b"  " in text or b" \n" in text or b"\n " in text or text[:1] == b" " or text[-1:] == b" ":
         lines = [b" ".join(line.split()) for line in lines]
         text = b"\n".join(lines)
-    try:
-        numbers, kept = numbers_of(text), np.arange(len(lines))
-    except ValueError:
-        parts = [(number, values) for number, line in enumerate(lines) if (values := _try(line)) is not None]
-        numbers = np.concatenate([values for _number, values in parts] or [np.zeros(0)])
-        kept = np.array([number for number, _values in parts], np.int64)
-        lines = [lines[number] for number in kept.tolist()]
     sizes = np.fromiter((line.count(b" ") + (line != b"") for line in lines), np.int64, len(lines))
-    return Rows(numbers, sizes, kept)
+    try:
+        numbers = numbers_of(text)
+    except ValueError:
+        return _line_by_line(lines)
+    if len(numbers) != sizes.sum():  # something else than blanks parts some of them
+        return _line_by_line(lines)
+    return Rows(numbers, sizes, np.arange(len(lines)))
+
+
+def _line_by_line(lines: list[bytes]) -> Rows:
+    parts = [(number, values) for number, line in enumerate(lines) if (values := _try(line)) is not None]
+    numbers = np.concatenate([values for _number, values in parts] or [np.zeros(0)])
+    sizes = np.array([len(values) for _number, values in parts], np.int64)
+    return Rows(numbers, sizes, np.array([number for number, _values in parts], np.int64))
 
 
 def _try(line: bytes) -> Array | None:

@@ -5,7 +5,7 @@ import re
 import numpy as np
 
 from workbench.document.storage.content import Progress
-from workbench.exchange.mesh_reading import Raw, refuse_counts
+from workbench.exchange.mesh_reading import Raw, of_faces, of_vertices, refuse_counts
 from workbench.exchange.mesh_rows import rows_of, whole_numbers
 from workbench.geometry.meshes import Faces
 from workbench.language import _
@@ -16,12 +16,13 @@ _COMMENT = re.compile(rb"#[^\n]*")
 
 def read_off(content: bytes, progress: Progress) -> Raw:
     """What an OFF says. Raises: ValueError where it is none."""
-    text = content.removeprefix(b"\xef\xbb\xbf").replace(b"\r\n", b"\n").replace(b"\r", b"\n")
+    text = content.replace(b"\r\n", b"\n").replace(b"\r", b"\n")
     text = _COMMENT.sub(b"", text).replace(b"\t", b" ").lstrip()
     head = _HEAD.match(text)
     lines = [line for line in text[head.end() if head else 0 :].split(b"\n") if line and not line.isspace()]
     counts = rows_of(lines[:1])
-    if not (head or len(lines) > 1) or len(counts.sizes) != 1 or counts.sizes[0] not in (2, 3):
+    announced = len(counts.sizes) == 1 and counts.sizes[0] in (2, 3) and not (counts.numbers < 0).any()
+    if not (head or len(lines) > 1) or not announced:
         raise ValueError(
             _("This is not an OFF file: it does not begin with the numbers of vertices and faces.")
         )
@@ -29,25 +30,25 @@ def read_off(content: bytes, progress: Progress) -> Raw:
         raise ValueError(_("The numbers of vertices and faces at the beginning of the file are too large."))
     vertex_count, face_count = (int(number) for number in counts.numbers[:2])
     refuse_counts(vertex_count, face_count)
-    if vertex_count < 0 or face_count < 0 or len(lines) < 1 + vertex_count + face_count:
-        sentence = _("The file announces {vertices:,} vertices and {faces:,} faces, but ends before that.")
-        raise ValueError(sentence.format(vertices=vertex_count, faces=face_count))
+    if len(lines) < 1 + vertex_count + face_count:
+        sentence = _("The file announces {vertices} and {faces}, but ends before that; get it again.")
+        raise ValueError(sentence.format(vertices=of_vertices(vertex_count), faces=of_faces(face_count)))
     progress(0.2)
-    of_vertices = rows_of(lines[1 : 1 + vertex_count])
+    vertex_rows = rows_of(lines[1 : 1 + vertex_count])
     points = np.full((vertex_count, 3), np.nan)
-    whole = of_vertices.sizes >= 3
-    starts = of_vertices.starts[whole]
-    points[of_vertices.lines[whole]] = of_vertices.numbers[starts[:, None] + np.arange(3)]
+    whole = vertex_rows.sizes >= 3
+    starts = vertex_rows.starts[whole]
+    points[vertex_rows.lines[whole]] = vertex_rows.numbers[starts[:, None] + np.arange(3)]
     progress(0.5)
-    of_faces = rows_of(lines[1 + vertex_count : 1 + vertex_count + face_count])
-    first = np.full(len(of_faces.sizes), -1.0)
-    some = of_faces.sizes > 0
-    first[some] = of_faces.numbers[of_faces.starts[some]]
-    good = (first >= 0) & (first < of_faces.sizes)
+    face_rows = rows_of(lines[1 + vertex_count : 1 + vertex_count + face_count])
+    first = np.full(len(face_rows.sizes), -1.0)
+    some = face_rows.sizes > 0
+    first[some] = face_rows.numbers[face_rows.starts[some]]
+    good = (first >= 0) & (first < face_rows.sizes)
     sizes = first[good].astype(np.int64)
     ends = np.cumsum(sizes)
     within = np.arange(int(sizes.sum())) - np.repeat(ends - sizes, sizes)
-    corners = of_faces.numbers[np.repeat(of_faces.starts[good] + 1, sizes) + within]
+    corners = face_rows.numbers[np.repeat(face_rows.starts[good] + 1, sizes) + within]
     progress(1.0)
     unread = vertex_count - int(whole.sum()) + face_count - int(good.sum())
     coloured = bool(head and head.group(2)) and vertex_count > 0

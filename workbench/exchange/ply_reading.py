@@ -1,5 +1,6 @@
 """PLY (Stanford): as text, and as bytes of either order, with whatever further properties and elements."""
 
+import re
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
@@ -9,7 +10,7 @@ from workbench.document.storage.content import Progress
 from workbench.exchange.mesh_reading import Raw, refuse_counts
 from workbench.exchange.mesh_rows import numbers_of, whole_numbers
 from workbench.geometry.meshes import Faces
-from workbench.language import _
+from workbench.language import _, ngettext
 
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
@@ -22,6 +23,7 @@ _TYPES = {
 _ORDERS = {"ascii": "", "binary_little_endian": "<", "binary_big_endian": ">"}
 _CORNERS = ("vertex_indices", "vertex_index")
 _LONGEST_HEAD = 2**16
+_END = re.compile(rb"end_header[^\r\n]*(\r\n|\r|\n)")
 _BLOCK = 2**22
 
 
@@ -47,14 +49,15 @@ def read_ply(content: bytes, progress: Progress) -> Raw:
     body: _Body = _Bytes(content, at, order) if order else _Words(content[at:], progress)
     points, faces, coloured = np.zeros((0, 3)), Faces.of([]), False
     for element in elements:
-        names = [each.name for each in element.properties]
+        names = {each.name for each in element.properties if not each.count_type}
         if element.name == "vertex":
-            if not {"x", "y", "z"} <= set(names):
+            if not {"x", "y", "z"} <= names:
                 raise ValueError(_("The vertices of the file have no x, y and z; choose another file."))
             columns, _lists = body.take(element, ("x", "y", "z"), ())
             points, coloured = np.column_stack(columns), "red" in names
         elif element.name == "face":
-            named = next((name for name in _CORNERS if name in names), None)
+            lists = {each.name for each in element.properties if each.count_type}
+            named = next((name for name in _CORNERS if name in lists), None)
             if named is None:
                 raise ValueError(_("The faces of the file name no vertices; choose another file."))
             _columns, (faces,) = body.take(element, (), (named,))
@@ -71,13 +74,12 @@ def _head(content: bytes) -> tuple[list[_Element], str, int]:
     refusal = _("This is not a PLY file: its header is missing or damaged.")
     if not content.startswith(b"ply"):
         raise ValueError(refusal)
-    end = content.find(b"end_header", 0, _LONGEST_HEAD)
-    line_end = content.find(b"\n", end)
-    if end < 0 or line_end < 0:
+    end = _END.search(content, 0, _LONGEST_HEAD)
+    if end is None:
         raise ValueError(refusal)
     elements: list[_Element] = []
     order = None
-    for line in content[:end].decode("latin-1").replace("\r", "\n").split("\n"):
+    for line in content[: end.start()].decode("latin-1").replace("\r", "\n").split("\n"):
         match line.split():
             case ["format", name, _version] if name in _ORDERS:
                 order = _ORDERS[name]
@@ -99,12 +101,16 @@ def _head(content: bytes) -> tuple[list[_Element], str, int]:
                 )
     if order is None:
         raise ValueError(refusal)
-    return elements, order, line_end + 1
+    return elements, order, end.end()
 
 
 def _breaks_off(element: _Element) -> ValueError:
-    sentence = _("The file ends in the middle of its list of {count:,} entries called {name}; get it again.")
-    return ValueError(sentence.format(count=element.entries, name=element.name[:40]))
+    text = ngettext(
+        "The file ends before the {count:,} entry that it announces as {name}; get it again.",
+        "The file ends before the last of {count:,} entries that it announces as {name}; get it again.",
+        element.entries,
+    )
+    return ValueError(text.format(count=element.entries, name=element.name[:40]))
 
 
 class _Body:
@@ -166,11 +172,12 @@ class _Body:
     ) -> tuple[list[Array], list[Faces]]:
         """As ``take``, where rows are of different lengths: each is looked for behind the one before."""
         at = self.at
-        places: dict[str, list[int]] = {each.name: [] for each in element.properties}
-        sizes: dict[str, list[int]] = {each.name: [] for each in element.properties}
+        names = [each.name for each in element.properties]
+        places: list[list[int]] = [[] for _each in names]
+        sizes: list[list[int]] = [[] for _each in names]
         steps = [
-            (places[each.name], sizes[each.name], each.count_type, self.width(each.type))
-            for each in element.properties
+            (places[number], sizes[number], each.count_type, self.width(each.type))
+            for number, each in enumerate(element.properties)
         ]
         for _row in range(element.entries):
             for begins, lengths, count_type, width in steps:
@@ -184,16 +191,19 @@ class _Body:
             if at > self.end:
                 raise _breaks_off(element)
         self.at = at
-        types = {each.name: each.type for each in element.properties}
-        columns = [self.numbers(np.array(places[name]), types[name]).astype(np.float64) for name in scalars]
+        types = [each.type for each in element.properties]
+        columns = [
+            self.numbers(np.array(places[number]), types[number]).astype(np.float64)
+            for number in map(names.index, scalars)
+        ]
         rows = []
-        for name in lists:
-            length = np.array(sizes[name], np.int64)
+        for number in map(names.index, lists):
+            length = np.array(sizes[number], np.int64)
             ends = np.cumsum(length)
             step = np.arange(int(length.sum())) - np.repeat(ends - length, length)
-            begin = np.repeat(np.array(places[name], np.int64), length)
+            begin = np.repeat(np.array(places[number], np.int64), length)
             rows.append(
-                Faces(_corners(self.numbers(begin + step * self.width(types[name]), types[name])), ends)
+                Faces(_corners(self.numbers(begin + step * self.width(types[number]), types[number])), ends)
             )
         return columns, rows
 

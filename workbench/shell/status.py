@@ -1,5 +1,6 @@
 """The status bar: what is under the pointer, what is run, the zoom, and how ready the program is."""
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QTimer
@@ -28,6 +29,7 @@ class Status(QObject):
     def __init__(self, bar: QStatusBar) -> None:
         super().__init__(bar)
         bar.setSizeGripEnabled(False)
+        self._zooms: dict[Panel, str] = {}  # what each panel said last
         self.hover = ElidedLabel()
         self.run, self.zoom, self.ready = (QLabel() for _field in range(3))
         bar.addWidget(self.hover, _HOVER)
@@ -61,9 +63,10 @@ class Status(QObject):
         own = (self.hover.width() + self.run.width()) * _HOVER / (_HOVER + _RUN)
         self.run.setMaximumWidth(0 if self.hover.wide > own else _ANY_WIDTH)
 
-    def in_workspace(self, steps: bool) -> None:
-        """Run and zoom belong to a workspace that steps; other places show neither."""
+    def in_workspace(self, steps: bool, panels: "Iterable[Panel]" = ()) -> None:
+        """Run and zoom belong to a workspace that steps, as its panels said it; other places show neither."""
         self._tell("")
+        self.zoom.setText("".join(self._zooms.get(panel, "") for panel in panels))
         for field in (self.run, self.zoom):
             field.setVisible(steps)
 
@@ -78,6 +81,7 @@ class Status(QObject):
         said = panel.said()
 
         def show_zoom(text: str) -> None:
+            self._zooms[panel] = text
             if panel.center.isVisible():  # a hidden canvas is resized too
                 self.zoom.setText(text)
 

@@ -224,7 +224,7 @@ class MainWindow(QMainWindow):
         self.steps.setVisible(self._offered[slug].steps)
         self.place = slug
         self.bar.show_current(slug)
-        self.status.in_workspace(self._offered[slug].steps)
+        self.status.in_workspace(self._offered[slug].steps, self.panels(slug))
         if not usable:
             self.messages.say(_("The remembered arrangement could not be used, so this is the original one."))
         elif self.settings.drop_older_arrangements():

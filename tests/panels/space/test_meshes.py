@@ -1,16 +1,20 @@
 """Mesh files come into the scene; scenes leave the program as pictures, lines and meshes."""
 
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 import pytest
 import trimesh
+from msgspec.structs import replace
 from pytestqt.qtbot import QtBot
 
 from tests.panels.by_hand import keep_until_the_end
 from tests.panels.space.by_hand import scene_of, shown
 from workbench.document.samples.examples import blank_sheet
 from workbench.document.scene.model import Scene
+from workbench.document.sheet_edits import add_sheet
+from workbench.exchange.reading import AT_ONCE
 from workbench.exchange.written import formats
 from workbench.panels.space.panel import SpacePanel
 from workbench.panels.space.projection_page import ProjectionPage
@@ -18,11 +22,14 @@ from workbench.session.session import Session
 from workbench.shell import scene_exports
 
 
-def imported(qtbot: QtBot, session: Session, path: Path) -> list[str]:
+def imported(
+    qtbot: QtBot, session: Session, path: Path, meanwhile: Callable[[], object] = lambda: None
+) -> list[str]:
     panel = SpacePanel(session)
     keep_until_the_end(qtbot, panel)
     said: list[str] = []
     panel.meshes.take_file(path, said.append)
+    meanwhile()
     qtbot.waitUntil(lambda: not session.incoming.busy, timeout=20_000)
     return [sentence for sentence in said if sentence]
 
@@ -52,11 +59,38 @@ def test_a_mesh_comes_beside_what_is_in_the_scene_and_what_was_left_out_is_said(
     path.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\nf 1 2 3\n", encoding="utf-8")
     session = Session()
     session.open_example("space-isometric")
+    shown_anew: list[bool] = []
+    session.opened.connect(lambda: shown_anew.append(True))
     (said,) = imported(qtbot, session, path)
+    assert not shown_anew  # what is stepped and selected on the sheet stays so
     assert len(session.document.sheets) == 1
     assert session.sheet.scene is not None
     assert [thing.name for thing in session.sheet.scene.objects] == ["Cube", "part"]
     assert said.startswith("part.obj is in the scene. Left out: ")
+    session.close()
+
+
+def test_a_mesh_is_shown_where_it_went_although_another_sheet_was_looked_at_while_it_was_read(
+    qtbot: QtBot, tmp_path: Path
+) -> None:
+    path = tmp_path / "part.obj"
+    path.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n#" + AT_ONCE * " ", encoding="utf-8")
+    session = Session()
+    session.open_example("space-isometric")
+    first = session.sheet.id
+    session.apply(add_sheet(replace(blank_sheet().sheets[0], scene=Scene())), "Add")
+    empty = next(sheet.id for sheet in session.document.sheets if sheet.id != first)
+    session.show_sheet(first)
+
+    def look_elsewhere() -> None:
+        assert session.incoming.busy
+        session.show_sheet(empty)
+
+    assert imported(qtbot, session, path, look_elsewhere) == ["part.obj is in the scene."]
+    assert session.sheet.id == first
+    assert session.sheet.scene is not None
+    assert [thing.name for thing in session.sheet.scene.objects] == ["Cube", "part"]
+    assert session.state.thing == session.sheet.scene.objects[1].id
     session.close()
 
 

@@ -81,6 +81,22 @@ def test_objects_are_added_renamed_hidden_copied_moved_and_deleted(
     assert names() == ["House", "Shed", "Stack"]
 
 
+@pytest.mark.parametrize("text", ["x" * 10_000, "  House ", "House"])
+def test_a_name_that_is_refused_or_no_other_leaves_the_list_as_the_scene(
+    qtbot: QtBot, page: ProjectionPage, text: str
+) -> None:
+    dock, before = page.objects, page.session.document
+    said: list[str] = []
+    dock.said.connect(said.append)
+    dock.list.item(0).setText(text)
+    settle(qtbot, page)
+    assert page.session.document is before
+    assert dock.list.item(0).text() == "House"
+    assert said == (
+        ["The name is too long; give a text of at most 200 characters."] if len(text) > 200 else []
+    )
+
+
 def test_a_colour_is_the_object_s_own(qtbot: QtBot, page: ProjectionPage) -> None:
     dock = page.objects
     dock.list.setCurrentRow(0)

@@ -206,10 +206,18 @@ def test_a_number_of_m_makes_the_projection_a_matrix(qtbot: QtBot, page: Project
     assert camera_of(page) == before
 
 
-def test_a_singular_matrix_is_refused_in_words(qtbot: QtBot, page: ProjectionPage) -> None:
+@pytest.mark.parametrize("from_a_corner", [False, True])
+def test_a_singular_matrix_is_refused_in_words(
+    qtbot: QtBot, page: ProjectionPage, from_a_corner: bool
+) -> None:
+    """Seen from a corner the row has two numbers, and zeros that are products which cancel."""
     said: list[str] = []
     page.hover_text.connect(said.append)
-    page.looking.choose("front", "")
+    if from_a_corner:
+        page.strip.row.edited.emit(0, 0, 2, 0.0)
+        page.strip.row.edit_ended.emit()
+    else:
+        page.looking.choose("front", "")
     settle(qtbot, page)
     before = camera_of(page)
     page.strip.row.edited.emit(0, 0, 0, 0.0)  # x of the picture is 0 everywhere

@@ -3,12 +3,12 @@
 from collections.abc import Iterator
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QDockWidget, QLabel, QMainWindow, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.panels.by_hand import settle
-from workbench.panels.panel import DockPart
+from workbench.panels.panel import DockPart, Said
 from workbench.panels.stage.paged_panel import PagedPanel
 from workbench.panels.stage.plain_page import PlainPage
 from workbench.panels.stage.workspace_page import PageRow, pages_of
@@ -22,9 +22,14 @@ RIGHT = Qt.DockWidgetArea.RightDockWidgetArea
 class OnePage(PlainPage, QWidget):
     """A page with one dock of its own."""
 
+    zoom_text = Signal(str)
+
     def __init__(self, session: Session) -> None:
         super().__init__()
         self.part = QLabel("one")
+
+    def said(self) -> Said:
+        return Said(None, self.zoom_text)
 
     def docks(self) -> list[DockPart]:
         return [(f"part {id(self)}", "Part", self.part, RIGHT)]
@@ -42,6 +47,43 @@ def session() -> Iterator[Session]:
     made = Session()
     yield made
     made.close()
+
+
+def test_the_zoom_is_that_of_the_page(qtbot: QtBot, session: Session) -> None:
+    kinds = {"first": "OnePage", "bare": "BarePage", "second": "OnePage"}
+    panel = PagedPanel(
+        session, "test", [PageRow(slug, slug, "", f"{__name__}:{kind}") for slug, kind in kinds.items()]
+    )
+    qtbot.addWidget(panel)
+    said: list[str] = []
+    panel.zoom_text.connect(said.append)
+    for slug, text in (("first", "100 %"), ("second", "7 px")):  # the second while it is out of sight
+        page = panel.page_of(slug)
+        assert isinstance(page, OnePage)
+        page.zoom_text.emit(text)
+    assert said == ["100 %"]
+    for slug in ("bare", "second", "first"):
+        panel.show_page(slug)
+    assert said == ["100 %", "", "7 px", "100 %"]
+
+
+def test_no_title_of_a_page_is_cut_in_a_narrow_window(qtbot: QtBot, session: Session) -> None:
+    titles = ("Tubes", "Gun", "Raster", "Random scan", "Raster or random", "Flicker", "Colour")
+    panel = PagedPanel(
+        session, "test", [PageRow(title.lower(), title, "", f"{__name__}:BarePage") for title in titles]
+    )
+    qtbot.addWidget(panel)
+    panel.resize(900, 300)
+    panel.show()
+    settle()
+    buttons = panel.buttons.buttons()
+    assert len({button.y() for button in buttons}) == 1
+    panel.resize(300, 300)
+    settle()
+    assert panel.width() == 300
+    assert all(button.width() >= button.sizeHint().width() for button in buttons)
+    assert all(panel.rect().contains(button.mapTo(panel, button.rect().bottomRight())) for button in buttons)
+    assert all(button.mapTo(panel, button.rect().bottomLeft()).y() < panel.stack.y() for button in buttons)
 
 
 def test_the_dock_of_the_page_comes_before_those_of_others(qtbot: QtBot, session: Session) -> None:

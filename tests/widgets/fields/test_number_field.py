@@ -39,6 +39,11 @@ def test_what_is_no_number_is_refused(text):
         evaluate(text)
 
 
+@pytest.mark.parametrize("text", ["-0", "0", "-0.0", "0*-3", "-1e-400"])
+def test_zero_has_no_sign(text):
+    assert str(evaluate(text)) == "0.0"
+
+
 @pytest.mark.parametrize(("text", "pointed"), [("0,5", "0.5"), (" −12,25 ", "-12.25"), (",5", ".5")])
 def test_a_decimal_comma_is_answered_with_the_point(text, pointed):
     with pytest.raises(ValueError, match=rf"comma; write {re.escape(pointed)}\.$"):

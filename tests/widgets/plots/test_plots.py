@@ -174,6 +174,22 @@ def test_a_low_plot_does_without_the_titles_of_its_axes(qtbot: QtBot, height: in
     assert (len(ticks) == 7) == titled
 
 
+@pytest.mark.parametrize("far", [QPoint(-200_000, -200_000), QPoint(200_000, 200_000)])
+def test_a_point_of_the_map_stays_on_it_however_far_it_is_dragged(qtbot: QtBot, far: QPoint) -> None:
+    plot = FlickerMap()
+    plot.show_map(Zones((1e-6, 1e-3, 1.0), (60.0, 58.0, 20.0), 0.01), 50.0, 1e-3, "flickers")
+    seen(qtbot, plot)
+    plot.resize(300, 200)
+    QApplication.processEvents()
+    moved: list[tuple[float, float]] = []
+    plot.moved.connect(lambda *point: moved.append(point))
+    port = plot._plot.viewport()
+    qtbot.mousePress(port, Qt.MouseButton.LeftButton, pos=port.rect().center())
+    qtbot.mouseMove(port, far)
+    qtbot.mouseRelease(port, Qt.MouseButton.LeftButton, pos=far)
+    assert moved[-1] == ((10.0, 1.0) if far.x() < 0 else (120.0, 1e-6))
+
+
 def test_a_narrow_trace_ends_its_words_with_dots(qtbot: QtBot) -> None:
     plot = TracePlot("Light at the probe", "of its mean", 2)
     seen(qtbot, plot)

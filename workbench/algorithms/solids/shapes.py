@@ -23,7 +23,12 @@ def bracket(width: float = 2.0, height: float = 2.0, depth: float = 1.0, thickne
 
     Raises: ValueError for a size that is not above 0, or arms thicker than it is wide or high.
     """
-    refuse_sizes(width, height, depth, thickness, width - thickness, height - thickness)
+    refuse_sizes(width, height, depth, thickness)
+    if thickness >= min(width, height):
+        raise ValueError(
+            f"The thickness of the bracket is {thickness:g}, its width {width:g} and its height {height:g}; "
+            "make the thickness smaller than either."
+        )
     left, right = -width / 2, width / 2
     inner = left + thickness
     angle = [

@@ -113,7 +113,12 @@ def ellipsoid(
 
 def torus(radius: float = 2.0, thickness: float = 0.75, slices: int = 32, sections: int = 16) -> Mesh:
     """A ring around the y axis; ``thickness`` is the radius of its section. Raises: ValueError."""
-    refuse_sizes(thickness, radius - thickness)
+    refuse_sizes(radius, thickness)
+    if thickness >= radius:
+        raise ValueError(
+            f"The thickness of the ring is {thickness:g} and its radius {radius:g}; "
+            "make the thickness smaller than the radius."
+        )
     _refuse_steps(sections)
     angles = 2 * math.pi * np.arange(sections) / sections
     section = np.column_stack([radius + thickness * np.cos(angles), thickness * np.sin(angles)])

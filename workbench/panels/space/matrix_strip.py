@@ -44,6 +44,7 @@ _BOOK_PERSPECTIVE = (
     ("0", "0", "-1/d", "z_prp/d"),
 )
 _ONE_LINE_PX = 150
+_ROUNDING = 1e-14  # of the size of what was added up
 
 
 class MatrixStrip(QWidget):
@@ -125,7 +126,10 @@ class MatrixStrip(QWidget):
         if camera is None:
             return
         view = view_matrix(camera)
-        whole = projection_matrix(camera) @ view
+        plane = projection_matrix(camera)
+        whole = plane @ view
+        # What rounding left of a 0 would keep a row of zeros from being one
+        whole[np.abs(whole) <= _ROUNDING * (np.abs(plane) @ np.abs(view))] = 0.0
         whole[row, column] = value
         entries = tuple(map(float, (whole @ np.linalg.inv(view)).ravel()))
         changed = replace(camera, projection="matrix", entries=entries)

@@ -41,7 +41,7 @@ class MeshImport:
         self._session.incoming.read(
             Job("mesh", str(path)),
             path.name,
-            partial(self._take, path, say),
+            partial(self._take, path, beside, say),
             partial(self._refuse, path, say),
             partial(self._edit, self._session.document, name, beside),
         )
@@ -65,7 +65,7 @@ class MeshImport:
         sentence = _("{name} was not imported: {error}")
         say(sentence.format(name=legible(path.name), error=error))
 
-    def _take(self, path: Path, say: Say, made: tuple[Edit, tuple[str, ...]]) -> None:
+    def _take(self, path: Path, beside: str, say: Say, made: tuple[Edit, tuple[str, ...]]) -> None:
         edit, notes = made
         session = self._session
         sheets = {sheet.id for sheet in session.document.sheets}
@@ -74,9 +74,10 @@ class MeshImport:
         except DocumentError as problem:
             self._refuse(path, say, problem.short)
             return
-        for sheet in session.document.sheets:
-            if sheet.id not in sheets:
-                session.show_sheet(sheet.id)
+        new = [sheet.id for sheet in session.document.sheets if sheet.id not in sheets]
+        onto = new[0] if new else beside
+        if session.sheet.id != onto:  # another may have been shown while it was read
+            session.show_sheet(onto)
         scene = session.sheet.scene
         if scene is not None:
             session.update_state(thing=scene.objects[-1].id)

@@ -200,9 +200,14 @@ class ObjectsDock(QWidget):
         visible = row.checkState() == Qt.CheckState.Checked
         if visible != thing.visible:
             self._apply(set_visible(thing.id, visible), _("Show or hide"))
-        elif row.text() != title_of(thing):
+        elif row.text().strip() != title_of(thing):
             self._apply(rename_thing(thing.id, row.text().strip()), _("Rename"))
         self._shown = ()
+        scene = self._session.sheet.scene
+        if scene is not None and thing in scene.objects:  # what was typed was refused, or changes nothing
+            self._showing = True
+            row.setText(title_of(thing))
+            self._showing = False
 
     def add_solid(self, offer: Offer) -> None:
         """Put a solid into the scene, with a colour of its own, and choose it."""

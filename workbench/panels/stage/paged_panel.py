@@ -8,7 +8,6 @@ from PySide6.QtGui import QAction, QKeySequence, QShowEvent
 from PySide6.QtWidgets import (
     QButtonGroup,
     QDockWidget,
-    QHBoxLayout,
     QMainWindow,
     QMenu,
     QPushButton,
@@ -24,6 +23,7 @@ from workbench.language import _
 from workbench.panels.panel import Cell, DockPart, KeysWhileSeen, PlainPanel, Said
 from workbench.panels.stage.workspace_page import Page, PageRow
 from workbench.session.session import Session
+from workbench.widgets.look.flow_layout import flowing
 from workbench.widgets.look.in_sight import dock_around, in_front
 
 
@@ -49,11 +49,12 @@ class PagedPanel(PlainPanel, QWidget):
         self.session = session
         self._wing, self._rows = wing, rows
         self._pages: dict[str, Page] = {}
+        self._zooms: dict[str, str] = {}  # what each page said last
         self._actions: list[QAction] = []
+        self.page = ""
         self.stack = QStackedWidget()
-        self.switch = QHBoxLayout()
-        self.switch.setContentsMargins(8, 4, 8, 4)
-        self.switch.setSpacing(4)
+        strip = QWidget()
+        self.switch = flowing(strip, 4, 0)  # in a narrow window in further rows, so that no title is cut
         self.buttons = QButtonGroup(self)
         for number, row in enumerate(self._rows, 1):
             page = self._pages[row.slug] = (pages or {}).get(row.slug) or row.make(session)
@@ -61,14 +62,15 @@ class PagedPanel(PlainPanel, QWidget):
             self._connect(row.slug, page)
             self._add_switch(number, row.slug, row.title, row.tooltip)
         KeysWhileSeen(self, self._actions)
-        self.switch.addStretch(1)
         whole = QVBoxLayout(self)
         whole.setContentsMargins(0, 0, 0, 0)
         whole.setSpacing(0)
         if len(self._rows) > 1:
-            whole.addLayout(self.switch)
+            around = QVBoxLayout()
+            around.setContentsMargins(8, 4, 8, 4)
+            around.addWidget(strip)
+            whole.addLayout(around)
         whole.addWidget(self.stack, 1)
-        self.page = ""
         self._docks_placed = False
         self._stand_ins: list[QDockWidget] = []  # of no page, in front only for want of a page's own
         self.show_page(self._rows[0].slug)
@@ -80,7 +82,12 @@ class PagedPanel(PlainPanel, QWidget):
         if said.hover is not None:
             said.hover.connect(self.hover_text)
         if said.zoom is not None:
-            said.zoom.connect(lambda text: self.zoom_text.emit(text) if self.page == slug else None)
+            said.zoom.connect(partial(self._take_zoom, slug))
+
+    def _take_zoom(self, slug: str, text: str) -> None:
+        self._zooms[slug] = text
+        if self.page == slug:
+            self.zoom_text.emit(text)
 
     def _add_switch(self, number: int, slug: str, title: str, tooltip: str) -> None:
         button = QPushButton(title)
@@ -104,6 +111,7 @@ class PagedPanel(PlainPanel, QWidget):
         number = [row.slug for row in self._rows].index(slug)
         page = self._pages[slug]
         self.stack.setCurrentIndex(number)
+        self.zoom_text.emit(self._zooms.get(slug, ""))
         self.buttons.buttons()[number].setChecked(True)
         self.setFocusProxy(page.widget)
         self._bring_docks_forward()

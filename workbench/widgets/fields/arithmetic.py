@@ -41,7 +41,7 @@ def evaluate(text: str) -> float:
         value = math.inf
     if not math.isfinite(value):
         raise ValueError(_("This is too large; type a smaller number."))
-    return value
+    return value + 0.0  # there is no other 0 for a person
 
 
 def _value(node: ast.expr) -> float:

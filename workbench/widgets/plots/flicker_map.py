@@ -1,6 +1,7 @@
 """Refresh rate against persistence: where a tube flickers, where it is steady, where it smears."""
 
 import math
+import sys
 from collections.abc import Sequence
 from typing import Any
 
@@ -210,7 +211,8 @@ class FlickerMap(Plot):
         if not self._dragging:
             return False
         place = self._plot.getPlotItem().vb.mapSceneToView(self._plot.mapToScene(event.position().toPoint()))
-        self._ask_for(float(np.clip(round(place.x()), _LEAST_HZ, _MOST_HZ)), 10.0 ** place.y())
+        power = min(place.y(), sys.float_info.max_10_exp)  # the pointer may be anywhere
+        self._ask_for(float(np.clip(round(place.x()), _LEAST_HZ, _MOST_HZ)), 10.0**power)
         return True
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
