@@ -1,0 +1,70 @@
+"""What is done for one move of a handle that is dragged: nothing twice, and nothing that stays as it was."""
+
+from collections import Counter
+from functools import wraps
+
+import pytest
+
+from tests.panels.by_hand import LEFT, at, keep_until_the_end, settle
+from workbench.document.samples.examples import example_document
+from workbench.panels.draw.panel import DrawPanel
+from workbench.rendering import raster
+from workbench.session.session import Session
+
+
+@pytest.fixture
+def calls(monkeypatch):
+    """How often each function that is named to ``calls.of(module, name)`` was called."""
+
+    class Calls(Counter):
+        def of(self, place, name):
+            function = getattr(place, name)
+
+            @wraps(function)
+            def counted(*arguments, **named):
+                self[name] += 1
+                return function(*arguments, **named)
+
+            monkeypatch.setattr(place, name, counted)
+
+    return Calls()
+
+
+@pytest.fixture
+def move(qtbot):
+    """Moves the upper end of the line by one pixel; it is held already, and was moved once."""
+    session = Session(document=example_document())
+    panel = DrawPanel(session)
+    keep_until_the_end(qtbot, panel)
+    panel.resize(850, 600)
+    panel.show()
+    qtbot.waitExposed(panel)
+    session.update_state(selection=("f1",))
+    settle()
+    qtbot.mouseMove(panel.canvas, at(panel, 30, 18))
+    qtbot.mousePress(panel.canvas, LEFT, pos=at(panel, 30, 18))
+
+    def once(x, y):
+        qtbot.mouseMove(panel.canvas, at(panel, x, y))
+        settle()
+
+    once(33, 20)
+    once.panel, once.session = panel, session
+    yield once
+    qtbot.mouseRelease(panel.canvas, LEFT, pos=at(panel, 33, 20))
+    session.close()
+    session.deleteLater()
+
+
+def test_the_sheet_is_painted_once(move, calls):
+    calls.of(raster, "_below")
+    move(34, 22)
+    assert calls["_below"] == 1
+    move(35, 22)
+    assert calls["_below"] == 2
+
+
+def test_what_is_said_of_a_cell_is_of_the_picture_that_is_seen(move):
+    move(34, 20)
+    assert "Line" in move.panel.describe(34, 20)
+    assert "Line" not in move.panel.describe(33, 3)
