@@ -10,6 +10,7 @@ from workbench.document.samples.examples import example_document
 from workbench.panels.draw.panel import DrawPanel
 from workbench.rendering import raster
 from workbench.session.session import Session
+from workbench.widgets.canvas import handle_names
 
 
 @pytest.fixture
@@ -68,3 +69,9 @@ def test_what_is_said_of_a_cell_is_of_the_picture_that_is_seen(move):
     move(34, 20)
     assert "Line" in move.panel.describe(34, 20)
     assert "Line" not in move.panel.describe(33, 3)
+
+
+def test_the_name_of_the_other_handle_and_the_words_beside_the_pointer_are_placed_once(move, calls):
+    calls.of(handle_names, "_corners")
+    move(34, 22)
+    assert calls["_corners"] == 2

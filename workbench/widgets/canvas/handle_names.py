@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import lru_cache
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -31,7 +32,8 @@ class Label(NamedTuple):
     box: Box
 
 
-def handle_names(scene: Scene) -> list[Label]:
+@lru_cache(maxsize=4)
+def handle_names(scene: Scene) -> tuple[Label, ...]:
     """The names to be shown: those of what is selected first, each on the side away from the other handles
     unless another is freer. One that would hide another is left out, until there is room for both.
 
@@ -41,7 +43,7 @@ def handle_names(scene: Scene) -> list[Label]:
     named = [k for k, handle in enumerate(handles) if handle.name]
     shown = named if len(named) <= MOST_NAMED else [k for k in named if handles[k].selected]
     if not shown or len(shown) > MOST_NAMED:
-        return []
+        return ()
     places = handle_places(handles)
     middle_x, middle_y = places[named].mean(axis=0)
     screen = np.column_stack(on_screen(scene, places))
@@ -60,7 +62,7 @@ def handle_names(scene: Scene) -> list[Label]:
         best = boxes[freest(boxes, np.vstack([grips, names]))]
         if hidden_area(best, names) == 0.0:
             labels.append(Label(text, best))
-    return labels
+    return tuple(labels)
 
 
 def tag_box(text: str, x: float, y: float, scene: Scene) -> Box:
