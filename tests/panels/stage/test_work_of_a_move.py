@@ -6,8 +6,10 @@ from functools import wraps
 import pytest
 
 from tests.panels.by_hand import LEFT, at, keep_until_the_end, settle
+from workbench.algorithms import catalogue
 from workbench.document.samples.examples import example_document
 from workbench.panels.draw.panel import DrawPanel
+from workbench.panels.stage import card
 from workbench.rendering import raster
 from workbench.session.session import Session
 from workbench.widgets.canvas import handle_names
@@ -75,3 +77,11 @@ def test_the_name_of_the_other_handle_and_the_words_beside_the_pointer_are_place
     calls.of(handle_names, "_corners")
     move(34, 22)
     assert calls["_corners"] == 2
+
+
+def test_the_card_looks_at_one_document_and_not_through_the_catalogue(move, calls):
+    calls.of(card, "with_sheet")
+    calls.of(catalogue, "entries")
+    move(34, 22)
+    assert calls == {"with_sheet": 1}
+    assert [field.value() for field in move.panel.card._fields.values()] == [20, 10, 34, 22]
