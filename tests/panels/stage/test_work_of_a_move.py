@@ -12,7 +12,8 @@ from workbench.panels.draw.panel import DrawPanel
 from workbench.panels.stage import card
 from workbench.rendering import raster
 from workbench.session.session import Session
-from workbench.widgets.canvas import handle_names
+from workbench.widgets.canvas import handle_names, marks
+from workbench.widgets.look.tokens import DARK, theme
 
 
 @pytest.fixture
@@ -85,3 +86,17 @@ def test_the_card_looks_at_one_document_and_not_through_the_catalogue(move, call
     move(34, 22)
     assert calls == {"with_sheet": 1}
     assert [field.value() for field in move.panel.card._fields.values()] == [20, 10, 34, 22]
+
+
+def test_grips_are_painted_once_for_each_look(move, calls, request):
+    marks._grip.cache_clear()
+    calls.of(marks, "_paint_grip")
+    light = theme.current
+    request.addfinalizer(lambda: theme.use(light))
+    for x in (34, 35, 36):
+        move(x, 22)
+    assert calls["_paint_grip"] == 2
+    for look in (DARK, light):
+        theme.use(look)
+        settle()
+    assert calls["_paint_grip"] == 4
