@@ -12,7 +12,7 @@ from workbench.panels.draw.panel import DrawPanel
 from workbench.panels.stage import card
 from workbench.rendering import raster
 from workbench.session.session import Session
-from workbench.widgets.canvas import handle_names, marks
+from workbench.widgets.canvas import handle_names, marks, surface
 from workbench.widgets.look.tokens import DARK, theme
 
 
@@ -76,8 +76,23 @@ def test_what_is_said_of_a_cell_is_of_the_picture_that_is_seen(move):
 
 def test_the_name_of_the_other_handle_and_the_words_beside_the_pointer_are_placed_once(move, calls):
     calls.of(handle_names, "_corners")
+    calls.of(handle_names, "handle_places")
     move(34, 22)
-    assert calls["_corners"] == 2
+    assert calls == {"_corners": 2, "handle_places": 1}
+
+
+def test_the_canvas_asks_once_to_be_painted_and_again_after_a_fault(move, calls, qtbot, monkeypatch):
+    canvas = move.panel.canvas
+    calls.of(canvas, "update")
+    calls.of(surface, "paint_scene")
+    move(34, 22)
+    assert calls == {"update": 1, "paint_scene": 1}
+    with qtbot.captureExceptions() as faults, monkeypatch.context() as patched:
+        patched.setattr(canvas, "scene", lambda: 1 / 0)
+        move(35, 22)
+    assert faults
+    move(36, 22)
+    assert calls == {"update": 3, "paint_scene": 2}
 
 
 def test_the_card_looks_at_one_document_and_not_through_the_catalogue(move, calls):
