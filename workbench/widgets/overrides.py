@@ -35,14 +35,17 @@ def raising(method: FunctionType) -> Callable[..., Any]:
 
 def overrides_of(kind: type) -> dict[str, FunctionType]:
     """The methods of Qt that a class overrides, itself or by a base that knows nothing of Qt."""
-    bound = {name for base in kind.__mro__ if base.__module__.startswith("PySide6.") for name in vars(base)}
+    bases = kind.__mro__
+    bound = [vars(base) for base in bases if base.__module__.startswith("PySide6.")]
     overrides: dict[str, FunctionType] = {}
-    for name in bound:
-        owner = next(base for base in kind.__mro__ if name in vars(base))
-        member = vars(owner)[name]
-        own = owner is kind or not issubclass(owner, QObject)
-        if own and isinstance(member, FunctionType) and not name.startswith("__"):
-            overrides[name] = member
+    for owner in bases:
+        if owner is not kind and issubclass(owner, QObject):
+            continue  # what is its own was seen to when it was made
+        for name, member in vars(owner).items():
+            if isinstance(member, FunctionType) and not name.startswith("__"):
+                first = next(base for base in bases if name in vars(base))
+                if first is owner and any(name in names for names in bound):
+                    overrides[name] = member
     return overrides
 
 

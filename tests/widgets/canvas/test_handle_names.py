@@ -82,7 +82,7 @@ def test_names_have_a_true_minus_sign(qapp):
 def test_of_many_handles_those_selected_have_names(qapp):
     many = handles_at([(k, 10) for k in range(MOST_NAMED + 1)])
     chosen = Handle("c", "Q", 50.0, 30.0, True)
-    assert handle_names(scene_with(many)) == []
+    assert handle_names(scene_with(many)) == ()
     assert [label.text for label in handle_names(scene_with([*many, chosen]))] == ["Q (50, 30)"]
 
 

@@ -102,3 +102,35 @@ def test_the_numbers_are_painted_once_while_only_the_pointer_moves(monkeypatch):
     by(kept, replace(scene, tokens=DARK), (1, 1))
     by(kept, scene_of(6, 40, 330), (1, 1))
     assert len(painted) == 6
+
+
+def test_a_cell_that_stays_pointed_at_is_emphasised_once(monkeypatch):
+    numbers = []
+    emphasise = rulers._Ruler.emphasise
+    monkeypatch.setattr(
+        rulers._Ruler,
+        "emphasise",
+        lambda self, painter, number: (numbers.append(number), emphasise(self, painter, number)),
+    )
+    kept, scene = Rulers(), scene_of(5, 40, 330)
+    for x in range(20):
+        by(kept, replace(scene, overlay=Overlay(right=((x, 1),))), (7, 12))
+    assert sorted(numbers) == [7, 12]
+    by(kept, scene, (7, 13))
+    assert sorted(numbers) == [7, 12, 13]
+    by(kept, replace(scene, tokens=DARK), (7, 13))
+    assert sorted(numbers) == [7, 7, 12, 13, 13]
+
+
+def test_how_large_rulers_are_is_measured_once_for_each_font(monkeypatch):
+    ruler_sizes.cache_clear()
+    measured = []
+    monkeypatch.setattr(rulers, "QFontMetricsF", lambda font: (measured.append(1), QFontMetricsF(font))[1])
+    for _move in range(5):
+        assert ruler_sizes(QFont("DejaVu Sans", 10), (200, 150), 1.0) == ruler_sizes(
+            QFont("DejaVu Sans", 10), (200, 150), 1.0
+        )
+    assert len(measured) == 1
+    ruler_sizes(QFont("DejaVu Sans", 14), (200, 150), 1.0)
+    ruler_sizes(QFont("DejaVu Sans", 10), (200, 1500), 1.0)
+    assert len(measured) == 3

@@ -10,7 +10,7 @@ from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtWidgets import QHBoxLayout, QWidget
 
 from workbench.widgets.fields.arithmetic import evaluate
-from workbench.widgets.fields.number_field import NumberField, with_subscript
+from workbench.widgets.fields.number_field import EntryLine, NumberField, with_subscript
 
 
 @given(st.integers(-999, 999), st.integers(1, 99), st.integers(-99, 99))
@@ -167,3 +167,20 @@ def test_a_number_that_is_cut_ends_in_dots_and_is_whole_in_the_tooltip(qtbot, fi
             if abs(cut.pixelColor(x, y).lightness() - cut.pixelColor(5, 5).lightness()) > 90]  # fmt: skip
     assert dots
     assert min(dots) > whole.height() / 2
+
+
+def test_only_another_number_or_another_room_is_measured(qtbot, field, monkeypatch):
+    measured = []
+    whole = EntryLine.overflows.fget
+    monkeypatch.setattr(EntryLine, "overflows", property(lambda line: measured.append(line) or whole(line)))
+    field.field.clearFocus()
+    field.set_value(123456)
+    assert len(measured) == 1
+    for _move in range(5):
+        field.set_value(123456)
+    assert len(measured) == 1
+    assert field.field.toolTip().startswith("123456\n") == field.field.overflows
+    field.field.setFixedWidth(30)
+    assert field.field.toolTip().startswith("123456\n")
+    field.field.setFixedWidth(200)
+    assert "123456" not in field.field.toolTip()

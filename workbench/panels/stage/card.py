@@ -22,6 +22,7 @@ from workbench.document.model import (
     AnyFigure,
     Circle,
     Curve,
+    Document,
     Ellipse,
     Line,
     Polygon,
@@ -87,8 +88,7 @@ def parameters(sheet: Sheet, figure: AnyFigure) -> list[tuple[str, str, str]]:
 
 def algorithm_choices(figure: AnyFigure | type[AnyFigure]) -> list[tuple[str, str]]:
     """Slug and title of every algorithm that can draw this kind of figure."""
-    known = {entry.slug: entry for entry in catalogue.entries()}
-    return [(slug, _(known[slug].title)) for slug in figure.algorithms if slug in known]
+    return [(slug, _(catalogue.get(slug).title)) for slug in figure.algorithms]
 
 
 class ParameterCard(FoldingCard):
@@ -181,8 +181,9 @@ class ParameterCard(FoldingCard):
         self.side_by_side.setVisible(compared)
         self.summary.setVisible(compared)
         self.summary.setText(summary)
+        document = self._document
         for address, field in self._fields.items():
-            field.set_value(self._number(address))
+            field.set_value(_number(document, address))
         if self._size is not None:
             self._size[0].set_value(sheet.width_px)
             self._size[1].set_value(sheet.height_px)
@@ -244,9 +245,10 @@ class ParameterCard(FoldingCard):
                 field.scrub_ended.connect(self._session.end_merge)
                 self._grid.addWidget(field, k, 0, 1, 2)
 
-    def _number(self, address: str) -> float:
-        session = self._session
-        return round(float(resolve(with_sheet(session.document, session.frames.sheet), address)), 6)
+    @property
+    def _document(self) -> Document:
+        """With the sheet as it is in the frame that is shown."""
+        return with_sheet(self._session.document, self._session.frames.sheet)
 
     def apply(self, edit: Edit, name: str, merge: str = "") -> str:
         """Do an edit; the sentence that says why it was refused, or an empty one."""
@@ -260,7 +262,7 @@ class ParameterCard(FoldingCard):
         refusal = self.apply(set_attribute(address, value), _("Change value"), merge and f"{merge} {address}")
         if refusal and address in self._fields:
             with suppress(DocumentError):  # the figure has gone, and its field is about to
-                self._fields[address].refuse(refusal, self._number(address))
+                self._fields[address].refuse(refusal, _number(self._document, address))
 
     def _set_size(self, merge: str = "") -> None:
         assert self._size is not None
@@ -283,6 +285,10 @@ class ParameterCard(FoldingCard):
 
     def _choose_compare(self, index: int) -> None:
         self._session.update_state(compare=self.compare.itemData(index))
+
+
+def _number(document: Document, address: str) -> float:
+    return round(float(resolve(document, address)), 6)
 
 
 def _title_of_several(figures: Sequence[AnyFigure], sheet: Sheet) -> str:

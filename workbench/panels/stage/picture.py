@@ -47,6 +47,11 @@ def picture(sheet: Sheet, now: Tokens) -> Pixels:
     return frame_buffer(themed(sheet, now))
 
 
+def painters(sheet: Sheet, now: Tokens) -> NDArray[np.int32]:
+    """Of ``picture``, for each pixel (h, w) the index of the figure that painted it, -1 where none did."""
+    return painter_of(themed(sheet, now))
+
+
 def pale_picture(sheet: Sheet, now: Tokens) -> Pixels:
     """The whole picture in pale colours, for what is drawn over it."""
     shown = themed(sheet, now)
@@ -67,7 +72,7 @@ def with_faint(
     """``shown`` with what the run of ``figure`` has not yet painted pale, or hidden."""
     if figure not in sheet.figures:
         return shown
-    waiting = painter_of(themed(sheet, now)) == sheet.figures.index(figure)
+    waiting = painters(sheet, now) == sheet.figures.index(figure)
     inside = reached[
         (reached[:, 0] >= 0)
         & (reached[:, 0] < sheet.width_px)

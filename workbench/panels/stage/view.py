@@ -23,8 +23,8 @@ from workbench.panels.stage.compose import (
 )
 from workbench.panels.stage.gesture import HandleDrag, Tool
 from workbench.panels.stage.pages import Page
+from workbench.panels.stage.picture import painters
 from workbench.panels.stage.tools import FigureTool
-from workbench.rendering import painter_of
 from workbench.rendering.comparing import Comparison, figure_pixels
 from workbench.rendering.subjects.registry import marks_on_device
 from workbench.session.run import Run
@@ -194,7 +194,7 @@ class FigureView:
         """A cell's name and what painted it."""
         sheet = self.sheet
         inside = 0 <= x < sheet.width_px and 0 <= y < sheet.height_px
-        index = int(painter_of(sheet)[y, x]) if inside else -1
+        index = int(painters(sheet, tokens())[y, x]) if inside else -1
         if index < 0:
             return f"({x}, {y})"
         figure = sheet.figures[index]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import lru_cache
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -31,21 +32,29 @@ class Label(NamedTuple):
     box: Box
 
 
-def handle_names(scene: Scene) -> list[Label]:
+def handle_names(scene: Scene) -> tuple[Label, ...]:
     """The names to be shown: those of what is selected first, each on the side away from the other handles
     unless another is freer. One that would hide another is left out, until there is room for both.
 
     Of many handles only those selected bear their names, as long as they are few.
     """
+    return _laid_out(scene)[0]
+
+
+@lru_cache(maxsize=4)
+def _laid_out(scene: Scene) -> tuple[tuple[Label, ...], NDArray[np.float64]]:
+    """The names to be shown, and the boxes (n, 4) that they and the grips take."""
     handles = scene.overlay.handles
+    if not handles:
+        return (), np.empty((0, 4))
     named = [k for k, handle in enumerate(handles) if handle.name]
     shown = named if len(named) <= MOST_NAMED else [k for k in named if handles[k].selected]
-    if not shown or len(shown) > MOST_NAMED:
-        return []
     places = handle_places(handles)
-    middle_x, middle_y = places[named].mean(axis=0)
     screen = np.column_stack(on_screen(scene, places))
     grips = _grips(scene, screen)
+    if not shown or len(shown) > MOST_NAMED:
+        return (), grips
+    middle_x, middle_y = places[named].mean(axis=0)
     side, area = HANDLE * scene.unit, scene.area
     away = side / 2 + max(side / 2, scene.view.cell / 2)
     labels: list[Label] = []
@@ -60,15 +69,14 @@ def handle_names(scene: Scene) -> list[Label]:
         best = boxes[freest(boxes, np.vstack([grips, names]))]
         if hidden_area(best, names) == 0.0:
             labels.append(Label(text, best))
-    return labels
+    return tuple(labels), np.vstack([grips, _boxes(labels)])
 
 
 def tag_box(text: str, x: float, y: float, scene: Scene) -> Box:
     """The card of what is said beside the pointer at x and y (screen): clear of it, of grips and of names."""
     boxes = _corners(text, x, y, (_BESIDE * scene.unit, _ABOVE * scene.unit), (1, 1), scene)
     pointer = around(np.array([[x, y]]), _POINTER * scene.unit)
-    screen = np.column_stack(on_screen(scene, handle_places(scene.overlay.handles)))
-    taken = np.vstack([pointer, _grips(scene, screen), _boxes(handle_names(scene))])
+    taken = np.vstack([pointer, _laid_out(scene)[1]])
     return boxes[freest(boxes, taken)]
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -16,6 +17,7 @@ from workbench.widgets.canvas.drawing import ink_of
 from workbench.widgets.canvas.handle_names import handle_names, paint_label
 from workbench.widgets.canvas.lines import on_screen
 from workbench.widgets.canvas.overlay import HANDLE, Cell, GripShape, Handle, handle_places
+from workbench.widgets.look.tokens import Tokens
 
 if TYPE_CHECKING:
     from workbench.widgets.canvas.painter import Scene
@@ -128,7 +130,8 @@ def paint_handles(painter: QPainter, scene: Scene) -> None:
     numbers = np.flatnonzero(seen)
     if scene.vector:
         for number in numbers.tolist():
-            _paint_grip(painter, scene, _kind(handles[number]), QPointF(x[number], y[number]))
+            place = QPointF(x[number], y[number])
+            _paint_grip(painter, scene.tokens, scene.unit, _kind(handles[number]), place)
     else:
         _set_down(painter, scene, [handles[k] for k in numbers.tolist()], x[seen], y[seen])
     for text, box in handle_names(scene):
@@ -143,30 +146,37 @@ def _set_down(
     painter: QPainter, scene: Scene, handles: list[Handle], x: NDArray[np.float64], y: NDArray[np.float64]
 ) -> None:
     """A grip on each of the screen places x and y, both (n,), on whole pixels; each kind is painted once."""
-    side = 2 * math.ceil(HANDLE * scene.unit / 2 + 2 * scene.unit) + 1
+    side = _side(scene.unit)
     left, top = (np.rint(place - side / 2).astype(np.int64).tolist() for place in (x, y))
     kinds = [_kind(handle) for handle in handles]
-    grips = {kind: _grip(scene, kind, side) for kind in set(kinds)}
+    grips = {kind: _grip(scene.tokens, scene.unit, kind) for kind in set(kinds)}
     paint = painter.drawImage
     for i, j, kind in zip(left, top, kinds, strict=True):
         paint(i, j, grips[kind])
 
 
-def _grip(scene: Scene, kind: GripKind, side: int) -> QImage:
+def _side(unit: float) -> int:
+    """Screen pixels of the image of a grip: an odd number, so that it has a middle one."""
+    return 2 * math.ceil(HANDLE * unit / 2 + 2 * unit) + 1
+
+
+@lru_cache(maxsize=64)
+def _grip(tokens: Tokens, unit: float, kind: GripKind) -> QImage:
+    side = _side(unit)
     image = QImage(side, side, QImage.Format.Format_ARGB32_Premultiplied)
     image.fill(0)
     painter = QPainter(image)
     painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
-    _paint_grip(painter, scene, kind, QPointF(side / 2, side / 2))
+    _paint_grip(painter, tokens, unit, kind, QPointF(side / 2, side / 2))
     painter.end()
     return image
 
 
-def _paint_grip(painter: QPainter, scene: Scene, kind: tuple[GripShape, str, bool], place: QPointF) -> None:
+def _paint_grip(painter: QPainter, tokens: Tokens, unit: float, kind: GripKind, place: QPointF) -> None:
     shape, name, selected = kind
     if shape == "mark":
         return
-    unit, surface, ink = scene.unit, QColor(scene.tokens.surface), QColor(ink_of(scene.tokens, name))
+    surface, ink = QColor(tokens.surface), QColor(ink_of(tokens, name))
     painter.setPen(QPen(surface if selected else ink, 1.5 * unit))
     painter.setBrush(ink if selected else surface)
     half = HANDLE * unit / 2

@@ -1,7 +1,9 @@
 """The rulers of a canvas: the numbers of its columns and rows, below and left of the picture."""
 
 import math
+from collections.abc import Callable
 from dataclasses import replace
+from functools import lru_cache
 from typing import NamedTuple
 
 from PySide6.QtCore import QPointF, QRect
@@ -14,6 +16,7 @@ from workbench.widgets.canvas.view import label_step
 _PLAIN = Overlay()
 
 
+@lru_cache(maxsize=16)
 def ruler_sizes(scene_font: QFont, size: tuple[int, int], unit: float) -> tuple[int, int]:
     """Width of the left ruler and height of the lower one, in screen pixels."""
     font = QFont(scene_font)
@@ -60,6 +63,27 @@ class _Ruler:
         self._step = label_step(scene.view.cell, between)
         seen = scene.view.visible(area, *scene.size)
         self._ends = (0, -1) if seen is None else seen[:2] if horizontal else seen[2:]
+        self._plain: QImage | None = None
+        self._emphasised: tuple[int, QImage] | None = None
+
+    def image(self, number: int | None) -> QImage:
+        """It as it is seen with this number emphasised, if any; kept for as long as that is the same."""
+        if self._plain is None:
+            self._plain = QImage(self.strip.size(), QImage.Format.Format_RGB32)
+            self._paint_on(self._plain, self.paint)
+        if number is None:
+            return self._plain
+        if self._emphasised is None or self._emphasised[0] != number:
+            image = self._plain.copy()
+            self._paint_on(image, lambda painter: self.emphasise(painter, number))
+            self._emphasised = number, image
+        return self._emphasised[1]
+
+    def _paint_on(self, image: QImage, paint: Callable[[QPainter], None]) -> None:
+        painter = QPainter(image)
+        painter.translate(-self.strip.topLeft())
+        paint(painter)
+        painter.end()
 
     def paint(self, painter: QPainter) -> None:
         """The ground and every number."""
@@ -120,11 +144,11 @@ class _Ruler:
 
 
 class Rulers:
-    """Both rulers of a canvas, painted once for each view of it and kept."""
+    """Both rulers of a canvas, painted once for each view of it and cell that is pointed at, and kept."""
 
     def __init__(self) -> None:
         self._scene: Scene | None = None
-        self._kept: list[tuple[_Ruler, QImage]] = []
+        self._kept: tuple[_Ruler, ...] = ()
 
     def paint(self, painter: QPainter, scene: Scene, pointed: Cell | None) -> None:
         """Axis numbers below and left of ``scene.area``; those of the ``pointed`` cell are emphasised."""
@@ -133,11 +157,10 @@ class Rulers:
         plain = replace(scene, overlay=_PLAIN)
         if plain != self._scene:
             self._scene = plain
-            self._kept = [(ruler, _image(ruler)) for ruler in _rulers(plain)]
-        for ruler, image in self._kept:
-            painter.drawImage(ruler.strip.topLeft(), image)
-            if pointed is not None:
-                ruler.emphasise(painter, pointed[0 if ruler.horizontal else 1])
+            self._kept = _rulers(plain)
+        for ruler in self._kept:
+            number = None if pointed is None else pointed[0 if ruler.horizontal else 1]
+            painter.drawImage(ruler.strip.topLeft(), ruler.image(number))
 
 
 def paint_rulers(painter: QPainter, scene: Scene) -> None:
@@ -149,12 +172,3 @@ def paint_rulers(painter: QPainter, scene: Scene) -> None:
 
 def _rulers(scene: Scene) -> tuple[_Ruler, _Ruler]:
     return _Ruler(scene, horizontal=False), _Ruler(scene, horizontal=True)
-
-
-def _image(ruler: _Ruler) -> QImage:
-    image = QImage(ruler.strip.size(), QImage.Format.Format_RGB32)
-    painter = QPainter(image)
-    painter.translate(-ruler.strip.topLeft())
-    ruler.paint(painter)
-    painter.end()
-    return image

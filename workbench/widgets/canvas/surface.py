@@ -276,6 +276,8 @@ class CanvasSurface(QWidget):
 
     def repaint_soon(self) -> None:
         """Something shown has changed: paint it anew. Where a child lies on top nothing is to be seen."""
+        if self._stale:
+            return  # as has been asked for
         self._stale = True
         region = QRegion(self.rect())
         for child in self.children():
@@ -290,8 +292,8 @@ class CanvasSurface(QWidget):
         if self._stale or self._frame.size() != size:
             if self._frame.size() != size:
                 self._frame = QImage(size, QImage.Format.Format_RGB32)
+            self._stale = False  # first: after a fault the next change is painted again
             self._paint_frame()
-            self._stale = False
         painter = QPainter(self)
         origin = painter.deviceTransform()
         painter.translate(

@@ -32,6 +32,7 @@ SCRUB_PX = 4
 _FRAME_PX = 21  # around the digits
 _BESIDE_PX = 2
 _DOTS = "…"
+_OTHER_ROOM = QEvent.Type.Resize, QEvent.Type.FontChange
 
 
 def with_subscript(name: str) -> str:
@@ -243,8 +244,12 @@ class NumberField(QWidget):
             self.field.setText(text)
             if chosen and self.field.hasFocus():
                 self.field.selectAll()  # as it was entered: typing goes on in place of the old number
+            self._tell_whole()
         self.field.setModified(False)
-        tip = f"{text}\n{self._tip}" if self.field.overflows else self._tip
+
+    def _tell_whole(self) -> None:
+        """What there is no room for is told by the tooltip."""
+        tip = f"{self.field.text()}\n{self._tip}" if self.field.overflows else self._tip
         if tip != self.field.toolTip():
             self.field.setToolTip(tip)  # it costs more than all else here, and during a drag most stay
 
@@ -299,6 +304,8 @@ class NumberField(QWidget):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Up and down step the value (Shift by ten), Escape brings it back."""
+        if event.type() in _OTHER_ROOM:
+            self._tell_whole()
         if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.KeyPress:
             far = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
             if event.key() in (Qt.Key.Key_Up, Qt.Key.Key_Down):
