@@ -43,6 +43,7 @@ from workbench.display.exposure import srgb_encoded
 from workbench.display.gun import Gun, Place
 from workbench.language import _
 from workbench.widgets.canvas.drawing import ink_of
+from workbench.widgets.look.plain_keys import is_plain
 from workbench.widgets.look.tokens import CAPTION_PX, RADIUS, colour, theme, tokens
 from workbench.widgets.tube.gun_painting import draw_lowered, is_at, paint_height, paint_length, paint_shape
 
@@ -214,7 +215,9 @@ class GunView(QWidget):
         """Left and right go from part to part, up and down move the spot, with Shift farther."""
         along = {Qt.Key.Key_Left: -1, Qt.Key.Key_Right: 1}.get(Qt.Key(event.key()))
         up = {Qt.Key.Key_Up: 1.0, Qt.Key.Key_Down: -1.0}.get(Qt.Key(event.key()))
-        if along is not None:
+        if not is_plain(event):
+            super().keyPressEvent(event)
+        elif along is not None:
             self._go(along)
         elif up is not None and self.spot_px is not None:
             far = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
