@@ -190,8 +190,7 @@ class SumsDock(QWidget):
 
     @property
     def _scanned(self) -> RasterTiming:
-        scan = self._setting.scan
-        return self._setting.mode if scan is None else scan.timing
+        return self._setting.timing or self._setting.mode
 
     def _of_the_mode(self) -> Numbers:
         asked = self._mode != SHEET
