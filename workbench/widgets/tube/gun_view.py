@@ -29,6 +29,7 @@ from workbench.display.cutaway import (
     Shape,
     Span,
     beam_outline,
+    covering,
     crowded,
     ends_on_face,
     labels,
@@ -329,14 +330,15 @@ class GunView(QWidget):
         return left, top - tall, left + wide, top
 
     def _lines(self, label: Label) -> list[str]:
-        if self._wording == "short":
-            return [label.short]
-        return [line for line in (label.title, label.value) if line][: 2 if self._wording == "whole" else 1]
+        title = label.title if self._wording in ("whole", "names") else label.short
+        return [line for line in (title, label.value) if line][
+            : 2 if self._wording in ("whole", "brief") else 1
+        ]
 
     def _place_labels(self, metrics: QFontMetricsF) -> None:
-        """With what parts are set to, or where that is too much, with their names alone, or short ones."""
+        """With names and what parts are set to, or where that is too much shorter names, or names alone."""
         told, gap = labels(self._gun, self._seconds), _GAP_PX / self._scale
-        for self._wording in ("whole", "names", "short"):
+        for self._wording in ("whole", "brief", "names", "short"):
             sizes = {label: self._size_of(metrics, label) for label in told}
             asked = self._wording, self._scale, self.size(), self._gun.coils, self._gun.gap, [*sizes.values()]
             if asked == self._asked:  # as large as they were, they stay where they are
@@ -344,7 +346,7 @@ class GunView(QWidget):
                 break
             self._placed = place_labels(told, self._gun, sizes.__getitem__, gap, self._room())
             self._asked = asked
-            if not crowded(self._placed):
+            if not crowded(self._placed) and not covering(self._placed, self._gun):
                 break
 
     def _paint_labels(self, painter: QPainter, metrics: QFontMetricsF) -> None:
