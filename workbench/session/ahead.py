@@ -36,6 +36,11 @@ class Ahead(QObject):
         self._answers = Answers(self)
         self._answers.arrived.connect(self._take)
 
+    @property
+    def busy(self) -> bool:
+        """Whether anything is worked on, or waits."""
+        return self._busy or bool(self._waiting)
+
     def of(self, sheet: Sheet, name: str, make: Callable[[], T], *beside: object) -> T | None:
         """What ``make`` gives of ``sheet``, under a ``name`` and what ``beside`` the sheet it depends on.
 

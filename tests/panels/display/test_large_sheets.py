@@ -108,7 +108,7 @@ def test_a_page_shows_many_figures_that_are_painted_elsewhere(
     session.visit(slug, usual)
     session.flush()
     qtbot.waitUntil(lambda: shows(name, page, image), timeout=20_000)
-    qtbot.waitUntil(lambda: not session.ahead._busy and not session.ahead._waiting, timeout=20_000)
+    qtbot.waitUntil(lambda: not session.ahead.busy, timeout=20_000)
     large = [here for _name, count, here in painted if count > 300]
     assert large
     assert not any(large)
