@@ -260,11 +260,15 @@ def place_labels(
     where there is none at all, labels lie over one another.
     """
     told = tuple(told)
-    clear = _placed(told, gun, size_of, gap, room, _lines(gun))
-    in_the_way = any(_in_the_way(one, other) for k, one in enumerate(clear) for other in clear[:k])
-    if not (in_the_way or crowded(clear) or covering(clear, gun)):
-        return clear
-    return _placed(told, gun, size_of, gap, room, None)
+    clear = clear_labels(told, gun, size_of, gap, room)
+    return clear or _placed(told, gun, size_of, gap, room, None)
+
+
+def clear_labels(
+    told: Iterable[Label], gun: Gun, size_of: Callable[[Label], tuple[float, float]], gap: float, room: Box
+) -> tuple[PlacedLabel, ...]:
+    """As ``place_labels`` where there is room for all of them to cover nothing; else none of them."""
+    return _placed(told, gun, size_of, gap, room, _lines(gun))
 
 
 def _placed(
@@ -275,7 +279,10 @@ def _placed(
     room: Box,
     drawn: tuple[Points, Points] | None,
 ) -> tuple[PlacedLabel, ...]:
-    """Every label clear of those before it, of their lines, and of the lines that are drawn, if it can be."""
+    """Every label clear of those before it and of their lines, if it can be.
+
+    Where they have to be clear of what is ``drawn`` as well, there are none if one cannot be so.
+    """
     left_end, low, right_end, high = room
     free = neck_of(gun) + 2.0 * gap + (_YOKE if gun.coils else 0.0)
     lengths = [
@@ -310,6 +317,8 @@ def _placed(
                 best, least = place, faults
             if not any(faults):
                 break
+        if drawn is not None and (best is None or any(least)):
+            return ()
         placed.append(best or places[0])
     return tuple(placed)
 
@@ -328,12 +337,6 @@ def _covers(box: Box, lines: tuple[Points, Points]) -> bool:
     sides = (np.array(box).reshape(2, 1, 2) - starts) / ways
     enters, leaves = sides.min(axis=0).max(axis=1), sides.max(axis=0).min(axis=1)
     return bool((np.maximum(enters, 0.0) < np.minimum(leaves, 1.0)).any())
-
-
-def covering(placed: Sequence[PlacedLabel], gun: Gun) -> tuple[str, ...]:
-    """The titles of those labels that cover a line of the drawing."""
-    lines = _lines(gun)
-    return tuple(each.label.title for each in placed if _covers(each.box, lines))
 
 
 def _in_the_way(one: PlacedLabel, other: PlacedLabel) -> bool:

@@ -29,7 +29,7 @@ from workbench.display.cutaway import (
     Shape,
     Span,
     beam_outline,
-    covering,
+    clear_labels,
     crowded,
     ends_on_face,
     labels,
@@ -49,6 +49,7 @@ from workbench.widgets.look.tokens import CAPTION_PX, RADIUS, colour, theme, tok
 from workbench.widgets.tube.gun_painting import draw_lowered, is_at, paint_height, paint_length, paint_shape
 
 _PADDING_PX, _GAP_PX = 6.0, 6.0
+_WORDINGS = ("whole", "brief", "names", "short")
 _NEAR_PX, _SPOT_PX = 14.0, 5.0
 _LEAST_HEIGHT_PX, _BEFORE_MM = 12.0, 9.0
 _FAINTEST, _STRONGEST = 50, 235
@@ -76,7 +77,7 @@ class GunView(QWidget):
         self._shapes: tuple[Shape, ...] = shapes(self._gun)
         self._scale, self._cathode = 1.0, QPointF()
         self._placed: tuple[PlacedLabel, ...] = ()
-        self._wording = "whole"
+        self._wording = self._placed_as = _WORDINGS[0]
         self._asked: object = None
         self._spans: tuple[Span, ...] = ()
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -337,17 +338,23 @@ class GunView(QWidget):
 
     def _place_labels(self, metrics: QFontMetricsF) -> None:
         """With names and what parts are set to, or where that is too much shorter names, or names alone."""
-        told, gap = labels(self._gun, self._seconds), _GAP_PX / self._scale
-        for self._wording in ("whole", "brief", "names", "short"):
-            sizes = {label: self._size_of(metrics, label) for label in told}
-            asked = self._wording, self._scale, self.size(), self._gun.coils, self._gun.gap, [*sizes.values()]
-            if asked == self._asked:  # as large as they were, they stay where they are
-                self._placed = tuple(map(PlacedLabel, told, (each.box for each in self._placed)))
-                break
-            self._placed = place_labels(told, self._gun, sizes.__getitem__, gap, self._room())
-            self._asked = asked
-            if not crowded(self._placed) and not covering(self._placed, self._gun):
-                break
+        told, gap, room = labels(self._gun, self._seconds), _GAP_PX / self._scale, self._room()
+        sizes: dict[str, dict[Label, tuple[float, float]]] = {}
+        for self._wording in _WORDINGS:
+            sizes[self._wording] = {label: self._size_of(metrics, label) for label in told}
+        gun = self._gun
+        asked = self._scale, self.size(), gun.coils, gun.gap, [[*each.values()] for each in sizes.values()]
+        if asked == self._asked:  # as large as they were, they stay where they are
+            self._wording = self._placed_as
+            self._placed = tuple(map(PlacedLabel, told, (each.box for each in self._placed)))
+            return
+        self._asked = asked
+        for place in (clear_labels, place_labels):
+            for self._wording in _WORDINGS:
+                self._placed = place(told, gun, sizes[self._wording].__getitem__, gap, room)
+                self._placed_as = self._wording
+                if self._placed and not crowded(self._placed):
+                    return
 
     def _paint_labels(self, painter: QPainter, metrics: QFontMetricsF) -> None:
         now = tokens()
