@@ -51,9 +51,12 @@ def test_one_thing_at_a_time_and_of_what_waits_only_the_last(qtbot: QtBot) -> No
         return number
 
     for number in range(5):
-        assert ahead.of(sheet, "number", lambda n=number: make(n), number) is None  # type: ignore[misc]
+        for _twice in range(2):
+            assert ahead.of(sheet, "number", lambda n=number: make(n), number) is None  # type: ignore[misc]
     qtbot.waitUntil(lambda: made == [0])
     go_on.set()
+    qtbot.waitUntil(lambda: not ahead.busy)
+    assert made == [0, 4]
     qtbot.waitUntil(lambda: ahead.of(sheet, "number", lambda: make(4), 4) == 4)
     assert made == [0, 4]
     assert ahead.of(sheet, "number", lambda: make(0), 0) == 0

@@ -42,5 +42,5 @@ def test_it_waits_for_what_is_worked_on_of_a_large_sheet(qtbot: QtBot) -> None:
     qtbot.addWidget(window)
     window.session = SimpleNamespace(ahead=Ahead(window))  # type: ignore[attr-defined]
     assert has_settled(window)  # type: ignore[arg-type]
-    window.session.ahead._busy = True  # type: ignore[attr-defined]
+    window.session.ahead._working = ()  # type: ignore[attr-defined]
     assert not has_settled(window)  # type: ignore[arg-type]

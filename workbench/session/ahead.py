@@ -1,7 +1,7 @@
 """What is worked out of whole sheets: of small ones at once, of large ones beside the interface."""
 
 from collections.abc import Callable
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import Any, TypeVar
 
 from PySide6.QtCore import QObject, Signal
@@ -11,6 +11,7 @@ from workbench.engine.background import report
 from workbench.session.answers import Answers
 
 T = TypeVar("T")
+_Key = tuple[Any, ...]
 
 _FEW_FIGURES, _FEW_POINTS = 300, 2000
 _KEPT = 8
@@ -30,16 +31,16 @@ class Ahead(QObject):
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._kept: list[tuple[tuple[Any, ...], Any]] = []
-        self._waiting: dict[str, tuple[tuple[Any, ...], Callable[[], Any]]] = {}
-        self._busy = False
+        self._kept: list[tuple[_Key, Any]] = []
+        self._waiting: dict[str, tuple[_Key, Callable[[], Any]]] = {}
+        self._working: _Key | None = None
         self._answers = Answers(self)
         self._answers.arrived.connect(self._take)
 
     @property
     def busy(self) -> bool:
         """Whether anything is worked on, or waits."""
-        return self._busy or bool(self._waiting)
+        return self._working is not None or bool(self._waiting)
 
     def of(self, sheet: Sheet, name: str, make: Callable[[], T], *beside: object) -> T | None:
         """What ``make`` gives of ``sheet``, under a ``name`` and what ``beside`` the sheet it depends on.
@@ -53,8 +54,9 @@ class Ahead(QObject):
         for known, value in self._kept:
             if known == key:
                 return value  # type: ignore[no-any-return]
-        self._waiting[name] = key, make
-        self._next()
+        if key != self._working:
+            self._waiting[name] = key, make
+            self._next()
         return None
 
     def forget(self) -> None:
@@ -63,23 +65,23 @@ class Ahead(QObject):
         self._waiting.clear()
 
     def _next(self) -> None:
-        if self._busy or not self._waiting:
+        if self._working is not None or not self._waiting:
             return
         key, make = self._waiting.pop(next(iter(self._waiting)))
-        self._busy = True
-        self._answers.ask(lambda: (key, _made(make)), "sheets")
+        self._working = key
+        self._answers.ask(partial(_answer, key, make), "sheets")
 
-    def _take(self, answer: tuple[tuple[Any, ...], Any]) -> None:
-        self._busy = False
+    def _take(self, answer: tuple[_Key, Any]) -> None:
+        self._working = None
         self._kept.insert(0, answer)
         del self._kept[_KEPT:]
         self.arrived.emit()
         self._next()
 
 
-def _made(make: Callable[[], T]) -> T | None:
+def _answer(key: _Key, make: Callable[[], T]) -> tuple[_Key, T | None]:
     try:
-        return make()
+        return key, make()
     except Exception:
         report()
-        return None
+        return key, None
