@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from workbench.algorithms import catalogue
-from workbench.algorithms.numerals import numeral, settled
+from workbench.algorithms.numerals import numeral, settled, with_minus
 from workbench.algorithms.projection.axonometric import isometric
 from workbench.algorithms.projection.parallel import orthographic
 from workbench.engine.observation import Steps
@@ -52,3 +52,16 @@ def test_no_corner_of_a_cube_in_isometric_projection_has_a_rounding_in_its_hand_
             numbers = [value for value in row if isinstance(value, float)]
             assert numbers
             assert all(value == 0.0 or math.fabs(value) > 1e-9 for value in numbers)
+
+
+@pytest.mark.parametrize(
+    ("text", "shown"),
+    [
+        ("(-3, 4) by (0, -0.5)", "(−3, 4) by (0, −0.5)"),
+        ("-1e-05 is too small; the least is -2.", "−1e−05 is too small; the least is −2."),
+        ("one-point, 4-connected, x-ray, - and -b", "one-point, 4-connected, x-ray, - and -b"),
+        ("from −1 to -1", "from −1 to −1"),
+    ],
+)
+def test_numbers_of_a_text_have_true_minus_signs_and_words_their_hyphens(text: str, shown: str) -> None:
+    assert with_minus(text) == shown

@@ -136,7 +136,7 @@ def test_the_words() -> None:
     seen = view((5, 0, 5), (0, 0, 0))
     assert classify(perspective(5) @ seen, seen).words == (
         "Perspective projection: all projectors meet at (5, 0, 5), the centre of projection. "
-        "It has two principal vanishing points, of x, z, at (-5, 0), (5, 0). "
+        "It has two principal vanishing points, of x, z, at (−5, 0), (5, 0). "
         "Row 3 flattens depth, so hidden surfaces cannot be found."
     )
     assert classify(cabinet(0.5)).name == "parallel"

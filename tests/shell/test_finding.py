@@ -3,11 +3,12 @@
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from PySide6.QtCore import Qt
 from pytestqt.qtbot import QtBot
 
 from workbench.document.samples.examples import example_document
 from workbench.session.session import Session
-from workbench.shell.command_palette import CommandPalette, match
+from workbench.shell.command_palette import CommandPalette, match, offers
 from workbench.shell.start import make_window
 
 SURFACES = "Question 7: Deciding what is hidden: surface against surface, or pixel by pixel?"
@@ -60,6 +61,49 @@ def test_a_command_is_found_by_what_its_tip_says(qtbot: QtBot) -> None:
     rows = [palette.list.item(row).text() for row in range(palette.list.count())]
     assert rows == ["Export this run...", "Export the animation..."]
     window.close()
+
+
+@pytest.mark.parametrize(
+    ("typed", "offered", "workspace", "page"),
+    [
+        ("visibility", "Space: Visibility", "space", "visibility"),
+        ("flicker", "Display: Flicker", "display", "flicker"),
+        ("gun", "Display: Gun", "display", "gun"),
+        ("in space", "Transform: In space", "transform", "space"),
+    ],
+)
+def test_a_page_is_found_from_another_workspace_and_leads_there(
+    qtbot: QtBot, typed: str, offered: str, workspace: str, page: str
+) -> None:
+    window = make_window()
+    qtbot.addWidget(window)
+    window.attach(Session(window, example_document()))
+    window.show()
+    shown: list[str] = []
+
+    class Middle:
+        show_page = staticmethod(shown.append)
+
+    window._panels[workspace] = [Middle()]  # type: ignore[list-item]
+    window.enter = lambda slug, then: (shown.append(slug), then())  # type: ignore[assignment, method-assign]
+    palette = CommandPalette.open_over(window)
+    qtbot.keyClicks(palette.field, typed)
+    rows = [palette.list.item(row).text() for row in range(palette.list.count())]
+    assert offered in rows[:3]
+    palette.list.setCurrentRow(rows.index(offered))
+    qtbot.keyClick(palette.field, Qt.Key.Key_Return)
+    assert shown == [workspace, page]
+
+
+def test_the_pages_of_the_workspace_one_is_in_are_offered_once(qtbot: QtBot) -> None:
+    window = make_window()
+    qtbot.addWidget(window)
+    window.attach(Session(window, example_document()))
+    window.place = "display"
+    texts = [offer.text for offer in offers(window)]
+    window.place = "home"
+    assert not any(text.startswith("Display: ") for text in texts)
+    assert sum(text.startswith("Space: ") for text in texts) == 4
 
 
 @pytest.mark.parametrize(

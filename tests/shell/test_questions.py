@@ -154,6 +154,8 @@ def test_every_page_of_a_workspace_is_told_with_its_run() -> None:
     assert told["display"] == {row.slug for row in display_pages()}
     assert told["space"] == {row.slug for row in space_pages()}
     assert told["transform"] == {"transform", SLUG}
+    for each in workspaces():
+        assert [row.slug for row in each.rows()] == [*each.pages.values()]
 
 
 @pytest.mark.parametrize(

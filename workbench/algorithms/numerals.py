@@ -1,10 +1,12 @@
 """Numbers as sentences, tables and formulas show them: in one way, so that each is found again elsewhere."""
 
 import math
+import re
 
 _DECIMALS = 4
 _HUGE = 1e15
 _ROUNDING = 1e-12
+_NEGATIVE = re.compile(r"(?:(?<!\w)|(?<=\de))-(?=\d)")  # before a number, or in its power of ten
 
 
 def decimal(value: float) -> str:
@@ -23,6 +25,11 @@ def decimal(value: float) -> str:
 def numeral(value: float) -> str:
     """The same with a true minus sign."""
     return decimal(float(value)).replace("-", "−")
+
+
+def with_minus(text: str) -> str:
+    """A text with numbers in it, their hyphens as true minus signs; those of words stay."""
+    return _NEGATIVE.sub("−", text)
 
 
 def settled(*values: float) -> tuple[float, ...]:

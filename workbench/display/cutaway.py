@@ -49,6 +49,7 @@ _AXIS_ENDS = 6.0
 _YOKE = 8.0
 _SHIFTS = 24
 _ROUND = 9
+_LEAST_WAY = 1e-9
 MARGIN = 8.0
 
 
@@ -254,9 +255,33 @@ def place_labels(
 ) -> tuple[PlacedLabel, ...]:
     """Put every label as near to its part as it can be, ``gap`` clear of the neck and of the others.
 
-    ``size_of`` gives width and height of its box, ``room`` is where they may stand. No label stands on the
-    line to a part that another one names, so far as there is room; where there is none at all, labels lie
-    over one another.
+    ``size_of`` gives width and height of its box, ``room`` is where they may stand. No label covers a line of
+    the drawing, or of those that lead to parts; where there is no room for that, of the latter only, and
+    where there is none at all, labels lie over one another.
+    """
+    told = tuple(told)
+    clear = clear_labels(told, gun, size_of, gap, room)
+    return clear or _placed(told, gun, size_of, gap, room, None)
+
+
+def clear_labels(
+    told: Iterable[Label], gun: Gun, size_of: Callable[[Label], tuple[float, float]], gap: float, room: Box
+) -> tuple[PlacedLabel, ...]:
+    """As ``place_labels`` where there is room for all of them to cover nothing; else none of them."""
+    return _placed(told, gun, size_of, gap, room, _lines(gun))
+
+
+def _placed(
+    told: Iterable[Label],
+    gun: Gun,
+    size_of: Callable[[Label], tuple[float, float]],
+    gap: float,
+    room: Box,
+    drawn: tuple[Points, Points] | None,
+) -> tuple[PlacedLabel, ...]:
+    """Every label clear of those before it and of their lines, if it can be.
+
+    Where they have to be clear of what is ``drawn`` as well, there are none if one cannot be so.
     """
     left_end, low, right_end, high = room
     free = neck_of(gun) + 2.0 * gap + (_YOKE if gun.coils else 0.0)
@@ -273,6 +298,8 @@ def place_labels(
         shifts = sorted((shift * gap for shift in range(-_SHIFTS, _SHIFTS + 1)), key=abs)
         lefts = [min(max(middle + shift, left_end), right_end - wide) for shift in shifts]
         starts = [free + row * pitch for row in range(rows)]
+        if drawn is not None:
+            starts.append(max(free, (high if label.above else -low) - tall))
         if label.part == "screen" and over + tall <= high:
             starts = [over]  # lower it would cover the bulb
         boxes = [(left, start, left + wide, start + tall) for start in starts for left in lefts]
@@ -280,16 +307,36 @@ def place_labels(
             boxes = [(left, -top, right, -bottom) for left, bottom, right, top in boxes]
         places = sorted((PlacedLabel(label, box) for box in boxes), key=lambda each: math.dist(*each.leader))
         taken = [*lengths, *(each.box for each in placed)]
-        best = None
+        best, least = None, (True, True)
         for place in places:
             if any(_touch(place.box, box, gap) for box in taken):
                 continue
-            best = best or place
-            if not any(_in_the_way(place, other) for other in placed):
-                best = place
+            in_the_way = any(_in_the_way(place, other) for other in placed)
+            faults = in_the_way, drawn is not None and _covers(place.box, drawn)
+            if best is None or faults < least:
+                best, least = place, faults
+            if not any(faults):
                 break
+        if drawn is not None and (best is None or any(least)):
+            return ()
         placed.append(best or places[0])
     return tuple(placed)
+
+
+def _lines(gun: Gun) -> tuple[Points, Points]:
+    """Where every line of the drawing begins, and the way (n, 2) from there to its end, nowhere quite 0."""
+    outlines = [np.vstack([s.points, s.points[:1]]) if s.closed else s.points for s in shapes(gun)]
+    ways = np.vstack([np.diff(points, axis=0) for points in outlines])
+    ways[np.abs(ways) < _LEAST_WAY] = _LEAST_WAY
+    return np.vstack([points[:-1] for points in outlines]), ways
+
+
+def _covers(box: Box, lines: tuple[Points, Points]) -> bool:
+    """Whether any of the lines passes through a box."""
+    starts, ways = lines
+    sides = (np.array(box).reshape(2, 1, 2) - starts) / ways
+    enters, leaves = sides.min(axis=0).max(axis=1), sides.max(axis=0).min(axis=1)
+    return bool((np.maximum(enters, 0.0) < np.minimum(leaves, 1.0)).any())
 
 
 def _in_the_way(one: PlacedLabel, other: PlacedLabel) -> bool:

@@ -1,6 +1,6 @@
 """Makes the runs of a session follow its subject, and keeps the lead's cursor in the session's state."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import cache, partial
 from itertools import zip_longest
 from typing import TYPE_CHECKING
@@ -8,8 +8,11 @@ from typing import TYPE_CHECKING
 from msgspec.structs import replace
 from PySide6.QtCore import QObject, QTimer
 
+from workbench.document.model import Sheet
 from workbench.document.subjects import Subject
+from workbench.rendering.mapping import Call
 from workbench.rendering.subjects.registry import calls_of, compared, kind_of, own_entry, rivals
+from workbench.session.ahead import is_large
 from workbench.session.run import Run
 
 if TYPE_CHECKING:
@@ -31,6 +34,7 @@ class Following(QObject):
         lead.moved.connect(self._moved)
         lead.grown.connect(self._lock)
         lead.asked.connect(lambda: session.update_state(ask_first=lead.ask_first))
+        session.ahead.arrived.connect(self.update)
         QTimer.singleShot(0, self.update)
 
     def begin_anew(self) -> None:
@@ -52,11 +56,14 @@ class Following(QObject):
     def update(self) -> None:
         """Run what is to be run now; the session calls this before it tells what changed."""
         session, lead, subject = self._session, self._lead, self._session.subject
+        calls = self._calls_ahead(subject)
+        if calls is None:
+            return
         before = lead.subject, lead.entry
         self._telling = True
         try:
             lead.before = cache(partial(kind_of(subject).before, session.sheet, subject))
-            self._follow(lead, subject)
+            self._follow(lead, subject, calls)
             lead.landmarks = kind_of(subject).landmarks(session.sheet, subject)
             self.switch(stays=False)
             here = self._here
@@ -72,12 +79,29 @@ class Following(QObject):
             if other is None:
                 follower.clear()
             else:
-                self._follow(follower, other)
+                self._follow(follower, other, self._calls(other))
         self._lock()
 
-    def _follow(self, run: Run, subject: Subject) -> None:
-        sheet = self._session.sheet
-        run.follow_unheld(subject, lambda: calls_of(sheet, subject), (sheet.width_px, sheet.height_px))
+    def _sheet_of(self, subject: Subject) -> Sheet:
+        """The sheet that a run of the subject is of."""
+        return self._session.frames.seen if kind_of(subject).as_seen else self._session.sheet
+
+    def _calls(self, subject: Subject) -> Callable[[], Sequence[Call]]:
+        return partial(calls_of, self._sheet_of(subject), subject)
+
+    def _calls_ahead(self, subject: Subject) -> Callable[[], Sequence[Call]] | None:
+        """The calls, to be worked out when they are wanted; of all of a large sheet they are there, or None:
+        this is updated when they come.
+        """
+        calls, sheet = self._calls(subject), self._sheet_of(subject)
+        if not kind_of(subject).whole or not is_large(sheet):
+            return calls
+        there = self._session.ahead.of(sheet, "calls", calls, subject)
+        return None if there is None else lambda: there
+
+    def _follow(self, run: Run, subject: Subject, calls: Callable[[], Sequence[Call]]) -> None:
+        sheet = self._sheet_of(subject)
+        run.follow_unheld(subject, calls, (sheet.width_px, sheet.height_px))
 
     @property
     def _here(self) -> tuple[str, int]:

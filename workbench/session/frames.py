@@ -13,6 +13,7 @@ from workbench.document.motion.auto_key import auto_key
 from workbench.document.motion.evaluation import at
 from workbench.document.motion.model import Motion
 from workbench.document.motion.tracks import motion_of
+from workbench.document.state import as_seen
 
 if TYPE_CHECKING:
     from workbench.session.session import Session
@@ -63,6 +64,11 @@ class Frames(QObject):
         """The current sheet in its frame; one without motion is the sheet itself."""
         sheet = self._session.sheet
         return sheet if sheet.motion is None else at(sheet, self.number)
+
+    @property
+    def seen(self) -> Sheet:
+        """The current sheet in its frame, its scene from where one looks at it now."""
+        return as_seen(self._session.state, self.sheet)
 
     @property
     def figure(self) -> AnyFigure | None:

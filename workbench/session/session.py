@@ -22,6 +22,7 @@ from workbench.document.subjects import Position, Subject
 from workbench.language import _
 from workbench.rendering.memory import forget
 from workbench.rendering.subjects.registry import checked, kind_of
+from workbench.session.ahead import Ahead
 from workbench.session.following import Following
 from workbench.session.frames import Frames
 from workbench.session.incoming import Incoming
@@ -44,7 +45,7 @@ class Session(QObject):
     a worker answers with the revision it was given, and stale answers are dropped. ``saved(Saved)``: a save
     in the background has ended, well or not. ``opened``: another document or sheet is. ``storing``: the
     session's state is about to be saved. ``left_out(sentence)``: what a file held that was opened without it.
-    ``run`` leads, ``followers`` do the same under other entries.
+    ``run`` leads, ``followers`` do the same under other entries; ``ahead`` works on large sheets.
     """
 
     changed = Signal(object, object, object)
@@ -68,14 +69,12 @@ class Session(QObject):
         self.state = cleaned(SessionState(), self.document)
         self._blobs: dict[str, bytes] = {}
         self._told = (self.document, self.state)
-        self._waiting = False
+        self._waiting = self._pushing = False
         self._merging: tuple[str, Step] | None = None
-        self._pushing = False
         self._recovery: RecoveryFile | None = None
         self._on_disk: Stamp | None = None
-        self._saver = Saver(self)
+        self._saver, self.incoming, self.ahead = Saver(self), Incoming(self), Ahead(self)
         self._saver.saved.connect(self._take_saved)
-        self.incoming = Incoming(self)
         self.run, self.followers = Run(self), (Run(self),)
         self._following = Following(self, self.run, self.followers)
         self.unfolding, self.frames = Unfolding(self), Frames(self)
@@ -350,6 +349,7 @@ class Session(QObject):
         self._merging = None
         self.undo_stack.clear()
         forget()
+        self.ahead.forget()
         self._blobs = stored.blobs
         self.path = path
         self._on_disk = on_disk

@@ -113,6 +113,7 @@ def offers(window: "MainWindow") -> list[Offer]:
     for slug in window.workspace_slugs:
         title = window.workspace(slug).title
         made.append(Offer(_("Workspace: {title}").format(title=title), "", partial(window.go, slug)))
+    made += _pages(window)
     for dock in window.arrangements.docks(window.place):
         bring = partial(window.arrangements.bring_forward, dock.objectName())
         made.append(Offer(_("Show {dock}").format(dock=dock.windowTitle()), "", bring))
@@ -149,6 +150,23 @@ def offers(window: "MainWindow") -> list[Offer]:
             text = _("Open {name}").format(name=legible(path.name))
             made.append(Offer(text, "", partial(window.files.open_path, path)))
     return made
+
+
+def _pages(window: "MainWindow") -> list[Offer]:
+    """The pages of the other workspaces; those of this one are among its commands."""
+    from workbench.shell.opening import enter_page
+
+    return [
+        Offer(
+            _("{workspace}: {page}").format(workspace=window.workspace(slug).title, page=row.title),
+            "",
+            partial(enter_page, window, slug, row.slug),
+            (row.tooltip,),
+        )
+        for slug in window.workspace_slugs
+        if slug != window.place
+        for row in window.workspace(slug).rows()
+    ]
 
 
 class _WithKeys(QStyledItemDelegate):

@@ -4,6 +4,8 @@ from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QAbstractButton, QApplication, QWidget
 
+from workbench.widgets.look.plain_keys import is_plain
+
 
 class EnterKey(QObject):
     """Takes the key where it comes to the window, since nothing in it has taken it."""
@@ -17,9 +19,8 @@ class EnterKey(QObject):
         if not isinstance(event, QKeyEvent) or event.type() != QEvent.Type.KeyPress:
             return False
         button = QApplication.focusWidget()
-        if event.key() not in (Qt.Key.Key_Return, Qt.Key.Key_Enter) or not isinstance(
-            button, QAbstractButton
-        ):
+        enter = event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter) and is_plain(event)
+        if not enter or not isinstance(button, QAbstractButton):
             return False
         if not event.isAutoRepeat():
             button.click()

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QMenu
 
 from workbench.language import _, legible
 from workbench.shell.actions import commands, key_text, menu_titles, submenu_titles
+from workbench.shell.choice_keys import ChoiceKeys
 from workbench.shell.enter_key import EnterKey
 from workbench.shell.workspace_bar import WorkspaceBar
 from workbench.widgets.look.comfort import comfort
@@ -46,6 +47,7 @@ class Menus(QObject):
         comfort.changed.connect(self._keep_calm)
         self._make_menus()
         EnterKey(window)
+        ChoiceKeys(window)
         self.refresh()
 
     def refresh(self, *_what: object) -> None:

@@ -39,10 +39,15 @@ def enter_where_seen(window: MainWindow, left_in: str = "") -> None:
     }
     if left_in in of_pages:
         workspace, page = of_pages[left_in]
-        window.enter(workspace, lambda: window.panels(workspace)[0].show_page(page))
+        enter_page(window, workspace, page)
         return
     places = (left_in, place_for(window.session.sheet), "draw")
     window.enter(next(place for place in places if place in window.workspace_slugs))
+
+
+def enter_page(window: MainWindow, workspace: str, page: str) -> None:
+    """Go to a page of a workspace."""
+    window.enter(workspace, lambda: window.panels(workspace)[0].show_page(page))
 
 
 def place_for(sheet: Sheet) -> str:

@@ -108,6 +108,7 @@ def _shoot(folder: Path, themes: Sequence[str], scale: float, size: tuple[int, i
     from PySide6.QtWidgets import QApplication
 
     from workbench.document.storage.saving import SavingError, replace_file
+    from workbench.shell.settled import when_settled
     from workbench.shell.start import Building, make_window
 
     application = QApplication(["Graphics Workbench"])
@@ -144,7 +145,7 @@ def _shoot(folder: Path, themes: Sequence[str], scale: float, size: tuple[int, i
         window.themes.choose(theme)
         window.resize(*size)
         act(window)
-        QTimer.singleShot(_SETTLE_MS, leave)
+        QTimer.singleShot(_SETTLE_MS, lambda: when_settled(window, leave))
 
     def give_up() -> None:
         sys.stderr.write(_("tour: not done in time; the pictures so far are kept.") + "\n")

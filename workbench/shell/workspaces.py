@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 from functools import partial
 from importlib import import_module
-from typing import TYPE_CHECKING, NamedTuple, TypeVar
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 
 from workbench.language import _
 
@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from workbench.panels.shared.tube_dock import TubePanel
     from workbench.panels.shared.why import WhyPanel
     from workbench.panels.space.panel import SpacePanel
+    from workbench.panels.stage.workspace_page import PageRow
     from workbench.panels.transform.panel import TransformPanel
     from workbench.panels.viewing.panel import ViewingPanel
 
@@ -47,7 +48,8 @@ class Workspace(NamedTuple):
     """One workspace. ``panels`` are "module:class", the first of which fills the middle; they are made when
     the workspace is first shown. ``steps`` tells whether the step bar belongs to it, ``topics`` which
     algorithms it is about, ``lower`` which docks begin in the lower group of the side column. ``pages`` are
-    those of its pages that have a run of their own, by the name of that run.
+    those of its pages that have a run of their own, by the name of that run; ``switch`` is the "module:table"
+    of the rows of its switch, if it has one.
     """
 
     slug: str
@@ -59,18 +61,27 @@ class Workspace(NamedTuple):
     topics: tuple[str, ...] = ()
     lower: tuple[str, ...] = ()
     pages: Mapping[str, str] = {}
+    switch: str = ""
 
     @property
     def modules(self) -> tuple[str, ...]:
         """The modules that its panels come from."""
         return tuple(panel.partition(":")[0] for panel in self.panels)
 
+    def rows(self) -> "Sequence[PageRow]":
+        """Those of its switch, in order."""
+        return _named(self.switch)() if self.switch else ()
+
 
 def panel_class(panel: str) -> "type[Panel]":
     """The class behind "module:class"."""
-    module, __, name = panel.partition(":")
-    kind: type[Panel] = getattr(import_module(module), name)
+    kind: type[Panel] = _named(panel)
     return kind
+
+
+def _named(what: str) -> Any:
+    module, __, name = what.partition(":")
+    return getattr(import_module(module), name)
 
 
 def join(panels: "Sequence[Panel]") -> None:
@@ -158,6 +169,7 @@ def workspaces() -> tuple[Workspace, ...]:
             topics=("transforms",),
             lower=("hand_table", "source", "about", "whole", "tube"),
             pages={"transform": "plane", "transform_space": "space"},
+            switch="workbench.panels.transform.chain_pages:pages",
         ),
         Workspace(
             "view",
@@ -189,6 +201,7 @@ def workspaces() -> tuple[Workspace, ...]:
             topics=("projection", "visibility", "shading", "solids"),
             lower=("hand_table", "fragments", "depth_cost", "growth", "variables"),
             pages=_same("space", "visibility", "shading", "arena"),
+            switch="workbench.panels.space.page:pages",
         ),
         Workspace(
             "animate",
@@ -210,5 +223,6 @@ def workspaces() -> tuple[Workspace, ...]:
             topics=("scanning", "colour", "visibility"),
             lower=("hand_table", "variables", "about"),
             pages=_same("display", "gun", "raster", "vector", "comparison", "flicker", "colour"),
+            switch="workbench.panels.display.page:pages",
         ),
     )

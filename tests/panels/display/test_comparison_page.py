@@ -44,7 +44,8 @@ def settle(page: ComparisonPage) -> None:
     """Everything that was asked for is shown."""
     page.session.flush()
     page.refresh()
-    page._show_tubes()
+    page._show_raster()
+    page._show_vector()
     page._show_lenses()
 
 

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, Qt
-from PySide6.QtGui import QAccessible, QColor, QGuiApplication, QMouseEvent
-from PySide6.QtWidgets import QApplication, QVBoxLayout, QWidget
+from PySide6.QtGui import QAccessible, QColor, QGuiApplication, QKeyEvent, QMouseEvent
+from PySide6.QtWidgets import QApplication, QLineEdit, QVBoxLayout, QWidget
 
 from workbench.exchange.formulas.copying import latex, numpy_text, plain
 from workbench.exchange.formulas.terms import Cell, Matrix, Phrase, Sign, matrix
@@ -310,3 +310,13 @@ def test_other_numbers_behind_symbols_are_kept_and_copied_but_not_laid_out_anew(
     row.set_shows("symbols")
     row.set_terms((PRODUCT, Sign("="), matrix([[1, 0, 8], [0, 1, -2]]), TERMS[3]))
     assert row.laid.primitives != before.primitives
+
+
+@pytest.mark.parametrize("held", [CTRL, Qt.KeyboardModifier.AltModifier])
+def test_a_digit_with_another_key_held_is_typed_into_no_cell(qtbot, row, held):
+    row.setFocus()
+    row.set_current(X_P)
+    QApplication.sendEvent(row, QKeyEvent(QEvent.Type.KeyPress, Key.Key_1, held, "1"))
+    assert row.findChild(QLineEdit) is None or not row.findChild(QLineEdit).isVisible()
+    QApplication.sendEvent(row, QKeyEvent(QEvent.Type.KeyPress, Key.Key_1, NONE, "1"))
+    assert row.findChild(QLineEdit).text() == "1"

@@ -13,6 +13,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from workbench.algorithms.numerals import with_minus
 from workbench.algorithms.projection.vanishing import Place, checked, vanishing_points
 
 Matrix = NDArray[np.float64]
@@ -65,7 +66,7 @@ class Classification(NamedTuple):
     @property
     def words(self) -> str:
         """All of it in sentences."""
-        return " ".join(_sentences(self))
+        return with_minus(" ".join(_sentences(self)))
 
 
 def classify(matrix: ArrayLike, view: ArrayLike | None = None) -> Classification:

@@ -3,6 +3,7 @@
 import numpy as np
 from msgspec.structs import replace
 
+from workbench.algorithms.numerals import with_minus
 from workbench.document.edits import set_clip
 from workbench.document.model import AnyFigure, Circle, Rectangle, Sheet
 from workbench.language import _
@@ -29,9 +30,10 @@ def usual_window(sheet: Sheet) -> Rectangle:
 
 def extent_text(window: Rectangle) -> str:
     """From where to where a window reaches."""
-    return _("x {xmin:g} to {xmax:g}\ny {ymin:g} to {ymax:g}").format(
+    told = _("x {xmin:g} to {xmax:g}\ny {ymin:g} to {ymax:g}").format(
         xmin=window.xmin, xmax=window.xmax, ymin=window.ymin, ymax=window.ymax
     )
+    return with_minus(told)
 
 
 def window_handles(sheet: Sheet, held: str = "") -> list[Handle]:

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QWidget
 
 from workbench.algorithms import curves
 from workbench.algorithms.curves import Pieces, piece_points
+from workbench.algorithms.numerals import with_minus
 from workbench.document.curves.pieces import fault_of, parameter_at, share_at
 from workbench.document.model import B_SPLINES, Curve
 from workbench.language import _
@@ -267,9 +268,13 @@ def _measures(pieces: Pieces | None, u: float | None) -> list[tuple[str, str]]:
     x, y = piece_points(pieces, u).tolist()
     bend = float(curves.curvature(pieces, u))
     _centre, radius = curves.osculating_circle(pieces, u)
+    bent = with_minus(f"{bend:.4g} 1/px, ")
     here = [
-        (_("at u = {u:.4g}").format(u=u), f"({x:.4g}, {y:.4g})"),
-        (_("curvature"), f"{bend:.4g} 1/px, " + _("radius {radius:.4g} px").format(radius=radius)),
+        (with_minus(_("at u = {u:.4g}").format(u=u)), with_minus(f"({x:.4g}, {y:.4g})")),
+        (
+            _("curvature"),
+            bent + _("radius {radius:.4g} px").format(radius=radius),
+        ),
     ]
     if pieces.degree > MEASURED_DEGREE:
         return [*here, (_("the whole"), _("not measured above degree {most}").format(most=MEASURED_DEGREE))]
@@ -278,5 +283,5 @@ def _measures(pieces: Pieces | None, u: float | None) -> list[tuple[str, str]]:
         *here,
         (_("length"), _("{length:.6g} px").format(length=curves.arc_length(pieces))),
         (_("inflections"), str(len(curves.inflections(pieces)))),
-        (_("box"), f"({x0:.4g}, {y0:.4g}) \N{EN DASH} ({x1:.4g}, {y1:.4g})"),
+        (_("box"), with_minus(f"({x0:.4g}, {y0:.4g}) \N{EN DASH} ({x1:.4g}, {y1:.4g})")),
     ]

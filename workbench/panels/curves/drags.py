@@ -3,6 +3,7 @@
 import math
 from collections.abc import Sequence
 
+from workbench.algorithms.numerals import with_minus
 from workbench.document.curves.pieces import parameter_at
 from workbench.document.curves.shaping import drag_curve
 from workbench.document.edits import Edit, move_points, set_attributes
@@ -60,13 +61,14 @@ class PointDrag(Drag):
             dx, dy = constrained(dx, dy)
         px, py = self.focus.placed(hx + dx, hy + dy)
         dx, dy = (px - hx if dx else 0.0), (py - hy if dy else 0.0)
-        self.tag = _("{name} ({x:g}, {y:g})\nby ({dx:g}, {dy:g})").format(
+        told = _("{name} ({x:g}, {y:g})\nby ({dx:g}, {dy:g})").format(
             name=point_name(self.curve, self.held),
             x=round(hx + dx, 4),
             y=round(hy + dy, 4),
             dx=round(dx, 4),
             dy=round(dy, 4),
         )
+        self.tag = with_minus(told)
         places = {}
         for k in self.numbers:
             at = self._points[k]
@@ -94,9 +96,8 @@ class TangentDrag(Drag):
             dx / TANGENT_SHARE, dy / TANGENT_SHARE
         )
         tx, ty = (round(part, 4) for part in way)
-        self.tag = _("tangent ({x:g}, {y:g})\nlength {length:.4g}").format(
-            x=tx, y=ty, length=math.hypot(tx, ty)
-        )
+        told = _("tangent ({x:g}, {y:g})\nlength {length:.4g}")
+        self.tag = with_minus(told.format(x=tx, y=ty, length=math.hypot(tx, ty)))
         point = self.curve.points_world[self.held].id
         return set_attributes({self.address(point, "tangent_x"): tx, self.address(point, "tangent_y"): ty})
 
@@ -115,5 +116,5 @@ class BendDrag(Drag):
         if constrain:
             dx, dy = constrained(dx, dy)
         way = figure_map(self.focus.session.sheet, self.curve).world_way(dx, dy)
-        self.tag = _("u = {u:.4g}\nby ({dx:.3g}, {dy:.3g})").format(u=self._u, dx=dx, dy=dy)
+        self.tag = with_minus(_("u = {u:.4g}\nby ({dx:.3g}, {dy:.3g})").format(u=self._u, dx=dx, dy=dy))
         return drag_curve(self.curve.id, self._u, *way)

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from workbench.algorithms import curves
 from workbench.algorithms.curves import Pieces, piece_points
 from workbench.algorithms.marks import Word
+from workbench.algorithms.numerals import with_minus
 from workbench.document.curves.pieces import parameter_at
 from workbench.document.model import Curve, Sheet
 from workbench.panels.curves.crossings import crossing_marks
@@ -120,11 +121,12 @@ def tangent(pieces: Pieces, u: float) -> list[Drawn]:
     along, across = np.array([dx, dy]) / length, np.array([-dy, dx]) / length
     barb = np.array([tip - 1.1 * along + 0.45 * across, tip, tip - 1.1 * along - 0.45 * across])
     angle = math.degrees(math.atan2(dy, dx))
+    words = with_minus(f"C′ = ({said_x:.4g}, {said_y:.4g}), {angle:.0f}°")
     return [
         PenStroke(np.array([(x, y), tip]), "data2", 2.0, haloed=True),
         PenStroke(barb, "data2", 2.0),
         Marker(x, y, "data2", "dot", 7),
-        Word(f"C′ = ({said_x:.4g}, {said_y:.4g}), {angle:.0f}°", tip[0], tip[1], "text", 1, 1, carded=True),
+        Word(words, tip[0], tip[1], "text", 1, 1, carded=True),
     ]
 
 

@@ -32,6 +32,7 @@ from workbench.panels.stage.clipboard import figures_held
 from workbench.panels.stage.gesture import Modifiers
 from workbench.panels.stage.stepped import SteppedPanel
 from workbench.session.session import Session
+from workbench.widgets.look.plain_keys import is_plain
 
 EXAMPLE = "curve-interpolation"
 
@@ -267,7 +268,8 @@ class CurvesPanel(SteppedPanel):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Backspace takes back the last point of the pen."""
-        if event.key() == Qt.Key.Key_Backspace and self.tool is self.pen and self.pen.back():
+        back = is_plain(event) and event.key() == Qt.Key.Key_Backspace
+        if back and self.tool is self.pen and self.pen.back():
             self._after_gesture()
         else:
             super().keyPressEvent(event)

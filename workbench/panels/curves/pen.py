@@ -7,6 +7,7 @@ from itertools import pairwise
 import numpy as np
 from msgspec.structs import replace
 
+from workbench.algorithms.numerals import with_minus
 from workbench.document.curves.edits import add_path_point, add_points, curve_with
 from workbench.document.curves.pieces import goes_round
 from workbench.document.edits import add_figure, both
@@ -164,7 +165,7 @@ class PenTool(FigureTool):
 
     def _place_text(self, place: Place) -> str:
         count = len(self._nodes)
-        return f"P{count} ({place[0]:g}, {place[1]:g})\n" + _(
+        return with_minus(f"P{count} ({place[0]:g}, {place[1]:g})\n") + _(
             "Enter ends the curve, Backspace removes the last point"
         )
 

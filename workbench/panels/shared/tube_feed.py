@@ -2,9 +2,11 @@
 
 from dataclasses import replace as replace_field
 from fractions import Fraction
+from functools import partial
 
 import numpy as np
 from msgspec.structs import replace
+from numpy.typing import NDArray
 from PySide6.QtCore import QObject, QTimer
 
 from workbench.display.monitor import Knobs
@@ -40,6 +42,11 @@ def setup_of(settings: TubeSettings) -> TubeSetup:
     return asked
 
 
+def picture_of(session: Session, sheet: Sheet, lit: bool) -> NDArray[np.uint32] | None:
+    """The frame buffer (h, w) of figures and scene, ``lit`` or not; None while a large sheet is worked on."""
+    return session.ahead.of(sheet, "picture", partial(whole_picture, sheet), lit)
+
+
 class TubeFeed(QObject):
     """Feeds ``views`` from ``session``; a view that is hidden is fed when it is shown.
 
@@ -59,7 +66,12 @@ class TubeFeed(QObject):
         self._resting.timeout.connect(self.feed)
         self._lighting = Lighting(self._again, self)
         session.changed.connect(self._changed)
-        for told in (session.state_changed, session.run.asked, session.unfolding.grown):
+        for told in (
+            session.state_changed,
+            session.run.asked,
+            session.unfolding.grown,
+            session.ahead.arrived,
+        ):
             told.connect(self.feed)
         session.storing.connect(self._keep_time)
         for view in views:
@@ -96,11 +108,21 @@ class TubeFeed(QObject):
         """What beside the sheet decides what a raster tube is given, to be compared."""
         return None
 
-    def _scan(self, view: TubeView, sheet: Sheet) -> None:
-        """Give a raster tube the picture of a sheet."""
+    def _scan(self, view: TubeView, sheet: Sheet, lit: bool) -> bool:
+        """Give a raster tube the picture of a sheet; False while that is worked on."""
         refused = too_many_pixels((sheet.width_px, sheet.height_px))
         self._refusals[view].say(refused)
-        view.set_image(_NOTHING if refused else whole_picture(sheet))
+        image = picture_of(self._session, sheet, lit) if not refused else _NOTHING
+        if image is not None:
+            view.set_image(image)
+        return image is not None
+
+    def _draw(self, view: TubeView, sheet: Sheet) -> bool:
+        """Give a vector tube the strokes of a sheet; False while they are worked on."""
+        strokes = self._session.ahead.of(sheet, "strokes", partial(tube_strokes, sheet))
+        if strokes is not None:
+            view.set_strokes(strokes, (sheet.width_px, sheet.height_px))
+        return strokes is not None
 
     def feed(self) -> None:
         """Bring every visible view up to date."""
@@ -123,9 +145,6 @@ class TubeFeed(QObject):
             shaped = look, lit, scanned
             if fed is not None and fed[0] is sheet and fed[1] is asked and fed[2:] == shaped:
                 continue
-            self._fed[view] = sheet, asked, *shaped
             shown = as_seen(self._session.state, sheet if asked is None else without(sheet, asked))
-            if view.scans:
-                self._scan(view, shown)
-            else:
-                view.set_strokes(tube_strokes(shown), (sheet.width_px, sheet.height_px))
+            if self._scan(view, shown, lit) if view.scans else self._draw(view, shown):
+                self._fed[view] = sheet, asked, *shaped

@@ -18,6 +18,7 @@ from workbench.rendering.why_steps import MOST, Abandoned, Answer, nothing_happe
 from workbench.session.answers import Answers
 from workbench.session.session import Session
 from workbench.widgets.look.icons import icon
+from workbench.widgets.look.plain_keys import is_plain
 
 _SETTLE_MS = 150
 _PLACE = "why"
@@ -160,7 +161,7 @@ class WhyList(QWidget):
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Enter goes to the step that is marked."""
         item = self.list.currentItem()
-        if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter) and item is not None:
+        if is_plain(event) and event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter) and item is not None:
             self._go(item)
         else:
             super().keyPressEvent(event)

@@ -6,6 +6,7 @@ from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPen, Q
 from PySide6.QtWidgets import QWidget
 
 from workbench.panels.space.scene_picture import ScenePicture
+from workbench.widgets.look.plain_keys import is_plain
 from workbench.widgets.look.tokens import colour, tokens
 
 SLACK_PX = 3.0
@@ -128,9 +129,10 @@ class SceneView(ScenePicture):
         """
         key, held = event.key(), event.modifiers()
         shift, control = Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.ControlModifier
-        if key in _SIDES:
+        alone = is_plain(event)
+        if key in _SIDES and (alone or held == control):
             self.faced.emit(_SIDES[Qt.Key(key)][bool(held & control)])
-        elif key == Qt.Key.Key_5:
+        elif key == Qt.Key.Key_5 and alone:
             self.switched.emit()
         elif key in _ARROWS and held & shift and held & control:
             x, y = _ARROWS[Qt.Key(key)]
@@ -141,9 +143,9 @@ class SceneView(ScenePicture):
             self.turn_ended.emit()
         elif key in _ARROWS and held & control:
             self._move_cursor(*_ARROWS[Qt.Key(key)])
-        elif key in (Qt.Key.Key_Return, Qt.Key.Key_Enter) and self.cursor_at is not None:
+        elif alone and key in (Qt.Key.Key_Return, Qt.Key.Key_Enter) and self.cursor_at is not None:
             self.clicked.emit(self.cursor_at)
-        elif key in (Qt.Key.Key_Plus, Qt.Key.Key_Minus):
+        elif alone and key in (Qt.Key.Key_Plus, Qt.Key.Key_Minus):
             self.zoom(_ZOOM_PER_NOTCH if key == Qt.Key.Key_Plus else 1 / _ZOOM_PER_NOTCH)
         else:
             super().keyPressEvent(event)

@@ -10,6 +10,7 @@ from itertools import count
 import numpy as np
 from PySide6.QtCore import QObject, Qt, Signal
 
+from workbench.algorithms.numerals import with_minus
 from workbench.document.edits import Edit, move_points, set_attributes
 from workbench.document.errors import DocumentError
 from workbench.document.model import AnyFigure, Document
@@ -230,6 +231,5 @@ def span_text(start: Cell, end: Cell) -> str:
     length = float(np.hypot(dx, dy))
     slope = f"{dy / dx:.3g}" if dx else (_("upright") if dy else "0")
     angle = float(np.degrees(np.arctan2(dy, dx)))
-    return _("({x}, {y})\nlength {length:.1f}, slope {slope}, {angle:.0f}°").format(
-        x=end[0], y=end[1], length=length, slope=slope, angle=angle
-    )
+    told = _("({x}, {y})\nlength {length:.1f}, slope {slope}, {angle:.0f}°")
+    return with_minus(told.format(x=end[0], y=end[1], length=length, slope=slope, angle=angle))

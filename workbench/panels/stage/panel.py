@@ -22,6 +22,7 @@ from workbench.panels.stage.tools import FigureTool, SelectTool
 from workbench.rendering import device_map
 from workbench.session.session import Session
 from workbench.widgets.canvas.pixel_canvas import PixelCanvas
+from workbench.widgets.look.plain_keys import is_plain
 from workbench.widgets.look.tokens import theme_changed
 
 REACH_PX = 6
@@ -375,11 +376,11 @@ class FigurePanel(ChosenFigures, QWidget):
         keys = {Qt.Key.Key_Home: run.first, Qt.Key.Key_End: run.last, Qt.Key.Key_Space: run.toggle_play}
         if plain and key in keys:
             keys[Qt.Key(key)]()
-        elif key in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+        elif is_plain(event) and key in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
             self.tool.finish()
             self.session.hold_runs(self.gesturing)
             self._after_gesture()
-        elif key in (Qt.Key.Key_Delete, Qt.Key.Key_Backspace):
+        elif is_plain(event) and key in (Qt.Key.Key_Delete, Qt.Key.Key_Backspace):
             self.delete_selected()
         else:
             super().keyPressEvent(event)

@@ -62,12 +62,14 @@ class Page(Protocol):
 
 
 class PageRow(NamedTuple):
-    """``slug`` names the page and its position in the session, ``maker`` is "module:class"."""
+    """``slug`` names the page and its position in the session, ``maker`` is "module:class"; it is empty where
+    the workspace has its pages from elsewhere.
+    """
 
     slug: str
     title: str
     tooltip: str
-    maker: str
+    maker: str = ""
 
     def make(self, session: Session) -> Page:
         """The page, over a session."""

@@ -6,9 +6,22 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QPushButton, QStackedWidget, QVBoxLayout, QWidget
 
 from workbench.language import _
+from workbench.panels.stage.workspace_page import PageRow
 from workbench.panels.transform.ground import Ground
 
 PLANE, SPACE = "plane", "space"
+
+
+def pages() -> tuple[PageRow, ...]:
+    """In the order of the switch."""
+    return (
+        PageRow(PLANE, _("In the plane"), _("Figures, with matrices of 3 × 3")),
+        PageRow(
+            SPACE,
+            _("In space"),
+            _("Objects, with matrices of 4 × 4: rotation about any axis in seven steps"),
+        ),
+    )
 
 
 class ChainPages(Ground):
@@ -24,20 +37,12 @@ class ChainPages(Ground):
         row = QHBoxLayout()
         row.setContentsMargins(12, 6, 12, 0)
         row.setSpacing(0)
-        for slug, title, tip, part in (
-            (PLANE, _("In the plane"), _("Figures, with matrices of 3 × 3 (Alt+1)"), plane),
-            (
-                SPACE,
-                _("In space"),
-                _("Objects, with matrices of 4 × 4: rotation about any axis in seven steps (Alt+2)"),
-                space,
-            ),
-        ):
-            button = self.buttons[slug] = QPushButton(title)
+        for number, (page, part) in enumerate(zip(pages(), (plane, space), strict=True), 1):
+            button = self.buttons[page.slug] = QPushButton(page.title)
             button.setCheckable(True)
             button.setProperty("low", True)
-            button.setToolTip(tip)
-            button.clicked.connect(partial(self._choose, slug))
+            button.setToolTip(f"{page.tooltip} (Alt+{number})")
+            button.clicked.connect(partial(self._choose, page.slug))
             group.addButton(button)
             row.addWidget(button)
             self.stack.addWidget(part)

@@ -17,6 +17,7 @@ from workbench.panels.transform.stage_row import Badge, StageRow
 from workbench.panels.transform.told import ICONS, title
 from workbench.widgets.fields.number_field import NumberField
 from workbench.widgets.look.icons import set_icon
+from workbench.widgets.look.plain_keys import is_plain
 
 _STEPS = {"angle": 1.0, "sx": 0.1, "sy": 0.1, "sh_x": 0.1, "sh_y": 0.1}
 
@@ -73,7 +74,7 @@ class Grip(QToolButton):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Up and Down."""
-        if event.key() in (Qt.Key.Key_Up, Qt.Key.Key_Down):
+        if is_plain(event) and event.key() in (Qt.Key.Key_Up, Qt.Key.Key_Down):
             self.moved.emit(-1 if event.key() == Qt.Key.Key_Up else 1)
         else:
             super().keyPressEvent(event)

@@ -12,6 +12,7 @@ from workbench.language import _
 from workbench.panels.transform.space_scene import Points, SpaceScene, seen_from
 from workbench.panels.transform.told import space_text
 from workbench.widgets.canvas.drawing import PATTERNS, ink_of
+from workbench.widgets.look.plain_keys import is_plain
 from workbench.widgets.look.tokens import colour, theme, tokens
 
 _ANGLE_Y, _ANGLE_X = -32.0, 22.0
@@ -116,7 +117,9 @@ class SpaceView(QWidget):
             Qt.Key.Key_Up: (0, -1),
             Qt.Key.Key_Down: (0, 1),
         }
-        if event.key() in ways:
+        if not is_plain(event):
+            super().keyPressEvent(event)
+        elif event.key() in ways:
             self.turn(*(_KEY_DEGREES * way for way in ways[Qt.Key(event.key())]))
         elif event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
             self.next_wanted.emit()

@@ -10,6 +10,7 @@ from workbench.language import _
 from workbench.panels.viewing.stages import Geometry, Stage, plane_of
 from workbench.widgets.canvas.plane import Plane, paint_plane, scene_of
 from workbench.widgets.canvas.view import Area
+from workbench.widgets.look.plain_keys import is_plain
 from workbench.widgets.look.tokens import RADIUS, theme_changed, tokens
 
 HIGH_PX, LOW_PX = 98, 30
@@ -79,7 +80,7 @@ class StageTile(QAbstractButton):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Enter and Space open it."""
-        if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Space):
+        if is_plain(event) and event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Space):
             self.chosen.emit(bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier))
         else:
             super().keyPressEvent(event)

@@ -104,5 +104,7 @@ register(
         choices=lambda sheet, subject: (SLUG,),
         entries=(SLUG,),
         arguments=ARGUMENTS,
+        whole=True,
+        as_seen=True,
     ),
 )

@@ -143,5 +143,6 @@ register(
         choices=lambda sheet, subject: (SLUG, ORDERING),
         entries=(SLUG, ORDERING),
         arguments=ARGUMENTS,
+        whole=True,
     ),
 )

@@ -197,5 +197,7 @@ register(
         entries=(SLUG,),
         arguments=ARGUMENTS,
         on_device=_as_they_are,
+        whole=True,
+        as_seen=True,
     ),
 )

@@ -99,7 +99,8 @@ class SubjectKind:
     with which a part of the run begins, which are marked rather than each change of a decision.
     ``before`` is one sentence where the calls get less than the subject, or nothing of it.
     ``compared_as`` is another kind, of the same ids, that is compared in place of this one.
-    ``invitation`` is what to do where there is nothing to run.
+    ``invitation`` is what to do where there is nothing to run. ``whole`` tells whether the calls are made of
+    all figures, ``as_seen`` whether of the picture as it is seen: in its frame, from where one looks.
     """
 
     title: str
@@ -114,6 +115,8 @@ class SubjectKind:
     before: Callable[[Sheet, Subject], str] = as_it_is
     comparing: Comparing = Comparing()
     compared_as: str = ""
+    whole: bool = False
+    as_seen: bool = False
 
 
 _REGISTERED: dict[str, SubjectKind] = {}

@@ -24,6 +24,7 @@ from workbench.geometry.conventions import round_half_up
 from workbench.widgets.canvas.edge_scroll import EdgeScroll
 from workbench.widgets.canvas.overlay import GRAB, Cell, Handle, handle_places
 from workbench.widgets.canvas.surface import CanvasSurface
+from workbench.widgets.look.plain_keys import is_plain
 
 # Up to so far, in logical pixels, a press that trembles is a click, and drags nothing.
 CLICK_SLACK = 3
@@ -251,9 +252,9 @@ class PixelCanvas(CanvasSurface):
             if self._cursor is not None:
                 self._toggle_cursor()
             self.cancelled.emit()
-        elif key in (Qt.Key.Key_Plus, Qt.Key.Key_Equal):
+        elif is_plain(event) and key in (Qt.Key.Key_Plus, Qt.Key.Key_Equal):
             self.zoom(1)
-        elif key == Qt.Key.Key_Minus:
+        elif is_plain(event) and key == Qt.Key.Key_Minus:
             self.zoom(-1)
         else:
             super().keyPressEvent(event)

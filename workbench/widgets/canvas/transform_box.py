@@ -24,6 +24,7 @@ from workbench.geometry.transform_box import (
 from workbench.widgets.canvas.pixel_canvas import ARROWS, CLICK_SLACK, PixelCanvas
 from workbench.widgets.canvas.transform_frame import PIVOT_REACH_PX, TransformFrame
 from workbench.widgets.canvas.transform_words import handle_name
+from workbench.widgets.look.plain_keys import is_plain
 
 _FAR = 10
 _DEGREE = math.radians(1)
@@ -209,7 +210,7 @@ class TransformBox(TransformFrame):
 
     def _turns(self, event: QKeyEvent) -> bool:
         """Whether a key turns by a degree."""
-        return event.text() in ("[", "]") and self._canvas.cursor_cell is None
+        return is_plain(event) and event.text() in ("[", "]") and self._canvas.cursor_cell is None
 
     def _choose_next(self, step: int) -> bool:
         """Go to the next handle; past the last one the key is the window's."""

@@ -21,6 +21,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from workbench.language import _
 from workbench.widgets.canvas.pixel_canvas import ARROWS
 from workbench.widgets.colour.solids import Floats, Model, Triple, solid, turned
+from workbench.widgets.look.plain_keys import is_plain
 from workbench.widgets.look.tokens import CAPTION_PX, colour, theme, tokens
 
 _PER_PX = 0.6  # degrees
@@ -103,7 +104,7 @@ class SolidView(QWidget):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Arrows turn it, with Shift further."""
-        if event.key() not in ARROWS:
+        if event.key() not in ARROWS or not is_plain(event):
             super().keyPressEvent(event)
             return
         dx, dy = ARROWS[Qt.Key(event.key())]

@@ -24,6 +24,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from workbench.algorithms.numerals import with_minus
 from workbench.language import _
 from workbench.widgets.fields.arithmetic import evaluate
 from workbench.widgets.look.type_faces import code_font
@@ -260,16 +261,15 @@ class NumberField(QWidget):
         return text
 
     def _checked(self, value: float) -> float:
+        told = ""
         if self._integer and not value.is_integer():
-            raise ValueError(_("{value:g} is not whole; type a whole number.").format(value=value))
-        if self._low is not None and value < self._low:
-            raise ValueError(
-                _("{value:g} is too small; the least is {low:g}.").format(value=value, low=self._low)
-            )
-        if self._high is not None and value > self._high:
-            raise ValueError(
-                _("{value:g} is too large; the most is {high:g}.").format(value=value, high=self._high)
-            )
+            told = _("{value:g} is not whole; type a whole number.").format(value=value)
+        elif self._low is not None and value < self._low:
+            told = _("{value:g} is too small; the least is {low:g}.").format(value=value, low=self._low)
+        elif self._high is not None and value > self._high:
+            told = _("{value:g} is too large; the most is {high:g}.").format(value=value, high=self._high)
+        if told:
+            raise ValueError(with_minus(told))
         return value
 
     def _commit(self) -> None:

@@ -23,6 +23,7 @@ from workbench.language import _
 from workbench.widgets.fields.number_field import SCRUB_PX
 from workbench.widgets.formulas.cell_editor import CellEditor
 from workbench.widgets.formulas.row_surface import MARGIN, RowSurface
+from workbench.widgets.look.plain_keys import is_plain
 from workbench.widgets.look.type_faces import code_font
 
 _SLACK_PX = 3
@@ -276,6 +277,8 @@ class MatrixRow(RowSurface):
         key, places, here = event.key(), self.places, self._current
         if key == Qt.Key.Key_Escape and self._press is not None:
             self._take_back()
+        elif not is_plain(event):
+            super().keyPressEvent(event)
         elif key in _ARROWS and places:
             self.set_current(places[0] if here is None else self._beside(here, *_ARROWS[Qt.Key(key)]))
         elif key in (Qt.Key.Key_Home, Qt.Key.Key_End) and places:

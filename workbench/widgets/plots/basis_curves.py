@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QWidget
 from workbench.exchange.tables import Table, typeset
 from workbench.language import _
 from workbench.widgets.canvas.drawing import DATA_INKS, PATTERNS, data_ink, ink_of
+from workbench.widgets.look.plain_keys import is_plain
 from workbench.widgets.look.tokens import colour, tokens
 from workbench.widgets.plots.parameter_axis import ROW_PX, Array, number_text, same
 from workbench.widgets.plots.parameter_plot import ParameterPlot
@@ -263,7 +264,9 @@ class BasisCurves(ParameterPlot):
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Up and Down light up the next function; Escape none."""
         steps = {Qt.Key.Key_Up: 1, Qt.Key.Key_Down: -1}
-        if event.key() in steps and not self.empty:
+        if not is_plain(event):
+            super().keyPressEvent(event)
+        elif event.key() in steps and not self.empty:
             step, count = steps[Qt.Key(event.key())], len(self._names)
             self._tell_pointed(
                 (self._lit + step) % count if self._lit >= 0 else (0 if step > 0 else count - 1)

@@ -21,6 +21,7 @@ from PySide6.QtWidgets import QGraphicsPolygonItem, QSizePolicy, QWidget
 from workbench.display.flicker import Zones
 from workbench.exchange.tables import Table
 from workbench.language import _
+from workbench.widgets.look.plain_keys import is_plain
 from workbench.widgets.look.spans import span_text
 from workbench.widgets.look.tokens import tokens
 from workbench.widgets.plots.plot import Plot, pen_of
@@ -224,7 +225,7 @@ class FlickerMap(Plot):
             Qt.Key.Key_Down: (0.0, -1),
         }
         way = ways.get(Qt.Key(event.key()))
-        if way is None or self._point is None:
+        if way is None or self._point is None or not is_plain(event):
             super().keyPressEvent(event)
             return
         far = _FAR if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1.0

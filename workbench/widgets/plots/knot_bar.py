@@ -12,6 +12,7 @@ from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPen
 from PySide6.QtWidgets import QWidget
 
 from workbench.language import _, ngettext
+from workbench.widgets.look.plain_keys import is_plain
 from workbench.widgets.look.tokens import colour, tokens
 from workbench.widgets.plots.parameter_axis import RIGHT_PX, ROW_PX, number_text, tick_text
 from workbench.widgets.plots.parameter_bar import ParameterBar
@@ -253,7 +254,7 @@ class KnotBar(ParameterBar):
         """Up and Down choose a knot, then Left and Right move it (Shift: ten times as far) until Escape;
         Insert asks for one at u, Delete for the one chosen to go."""
         key, modifiers = event.key(), event.modifiers()
-        if self.empty:
+        if self.empty or not is_plain(event):
             super().keyPressEvent(event)
         elif key in (Qt.Key.Key_Up, Qt.Key.Key_Down):
             step = 1 if key == Qt.Key.Key_Up else -1

@@ -1,14 +1,16 @@
 """The library that plots are drawn by, loaded when the first of them is seen.
 
-What it needs of Python itself comes on a thread; it makes classes of Qt, which only this one may.
+What it needs of Python itself comes on a thread; it makes classes of Qt, which only this one may: that takes
+two tenths of a second, and so comes piece by piece, one in each turn of the event loop.
 """
 
-from contextlib import suppress
+from collections.abc import Iterator
 from importlib import import_module
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from workbench.session.answers import Answers
+from workbench.widgets.plots.stepwise import import_stepwise
 
 
 class _Library(QObject):
@@ -27,12 +29,17 @@ class _Library(QObject):
             QTimer.singleShot(0, self.loaded.emit)
         elif self._coming is None:
             self._coming = Answers()
-            self._coming.arrived.connect(lambda _there: self._loaded())
+            self._coming.arrived.connect(lambda _there: self._go_on(import_stepwise("pyqtgraph")))
             self._coming.ask(_load_below_qt, "imports")
 
-    def _loaded(self) -> None:
-        with suppress(ImportError):  # the same failure is said where the plot is made
-            import_module("pyqtgraph")
+    def _go_on(self, steps: Iterator[None]) -> None:
+        try:
+            more = next(steps, self) is not self
+        except ImportError:  # the same failure is said where the plot is made
+            more = False
+        if more:
+            QTimer.singleShot(0, self, lambda: self._go_on(steps))
+            return
         self._there = True
         self._coming = None
         QTimer.singleShot(0, self.loaded.emit)

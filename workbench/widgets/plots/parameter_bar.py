@@ -18,6 +18,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from workbench.language import _
+from workbench.widgets.look.plain_keys import is_plain
 from workbench.widgets.look.tokens import CAPTION_PX, colour, theme, tokens
 from workbench.widgets.plots.parameter_axis import (
     GRAB_PX,
@@ -182,7 +183,7 @@ class ParameterBar(QWidget):
             Qt.Key.Key_Home: low,
             Qt.Key.Key_End: high,
         }
-        if self.empty or event.key() not in places:
+        if self.empty or event.key() not in places or not is_plain(event):
             super().keyPressEvent(event)
         else:
             self.ask(places[Qt.Key(event.key())])

@@ -21,6 +21,7 @@ from PySide6.QtWidgets import QGraphicsItem, QLabel, QMenu, QVBoxLayout, QWidget
 
 from workbench.exchange.tables import Table
 from workbench.language import _
+from workbench.widgets.look.plain_keys import is_plain
 from workbench.widgets.look.tips import plain_tip
 from workbench.widgets.look.tokens import CAPTION_PX, colour, theme_changed, tokens
 from workbench.widgets.plots.library import library
@@ -216,7 +217,9 @@ class Plot(QWidget):
             Qt.Key.Key_End: high,
         }
         zooms = {Qt.Key.Key_Plus: _ZOOM, Qt.Key.Key_Minus: 1 / _ZOOM}
-        if self.reach is not None and key in places:
+        if not is_plain(event):
+            super().keyPressEvent(event)
+        elif self.reach is not None and key in places:
             self._choose(places[Qt.Key(key)])
         elif self._plot is not None and key in zooms:
             middle = QPointF(here, 0.0) if self._cursor_x is not None else None

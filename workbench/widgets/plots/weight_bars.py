@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QWidget
 from workbench.exchange.tables import typeset
 from workbench.language import _
 from workbench.widgets.canvas.drawing import data_ink, ink_of
+from workbench.widgets.look.plain_keys import is_plain
 from workbench.widgets.look.tokens import colour, tokens
 from workbench.widgets.plots.parameter_axis import LEFT_PX, RIGHT_PX, ROW_PX, number_text
 from workbench.widgets.plots.parameter_bar import ParameterBar
@@ -231,12 +232,17 @@ class WeightBars(ParameterBar):
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Left and Right choose a point, Up and Down change its weight (Shift: by 2), Escape none."""
         key, count = event.key(), len(self._weights)
-        if not count or key not in (
-            Qt.Key.Key_Left,
-            Qt.Key.Key_Right,
-            Qt.Key.Key_Up,
-            Qt.Key.Key_Down,
-            Qt.Key.Key_Escape,
+        if (
+            not count
+            or not is_plain(event)
+            or key
+            not in (
+                Qt.Key.Key_Left,
+                Qt.Key.Key_Right,
+                Qt.Key.Key_Up,
+                Qt.Key.Key_Down,
+                Qt.Key.Key_Escape,
+            )
         ):
             QWidget.keyPressEvent(self, event)
         elif key == Qt.Key.Key_Escape:

@@ -9,6 +9,7 @@ from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QResize
 from PySide6.QtWidgets import QWidget
 
 from workbench.language import _
+from workbench.widgets.look.plain_keys import is_plain
 from workbench.widgets.look.tokens import colour, tokens
 from workbench.widgets.timeline.curve_painting import (
     paint_curves,
@@ -33,6 +34,7 @@ _SAMPLES = 400
 _NUDGE = 0.02
 _STEEPEST = 10.0
 _OWN_KEYS = frozenset((Qt.Key.Key_H, Qt.Key.Key_PageUp, Qt.Key.Key_PageDown))
+_WITH_ALT = (Qt.Key.Key_Up, Qt.Key.Key_Down)
 
 
 class CurveEditor(KeyEditor):
@@ -348,8 +350,9 @@ class CurveEditor(KeyEditor):
 
     def is_own(self, event: QKeyEvent) -> bool:
         """Its own, too."""
-        plain = not event.modifiers() & Qt.KeyboardModifier.ControlModifier
-        return super().is_own(event) or (plain and Qt.Key(event.key()) in _OWN_KEYS)
+        alt = bool(event.modifiers() & Qt.KeyboardModifier.AltModifier)
+        own = _OWN_KEYS if is_plain(event) else _WITH_ALT if alt else ()
+        return super().is_own(event) or Qt.Key(event.key()) in own
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """As on the timeline; Alt with arrows moves keys up and down, too, or the handle that is held."""
@@ -367,6 +370,8 @@ class CurveEditor(KeyEditor):
                 by = up * self._values.rounding * (100 if shift else 10)
                 self.keys_moved.emit(0, self._number, round(by, 12))
                 self.keys_dropped.emit()
+        elif not is_plain(event):
+            super().keyPressEvent(event)
         elif key in (Qt.Key.Key_PageUp, Qt.Key.Key_PageDown):
             down = key == Qt.Key.Key_PageDown
             if shift:

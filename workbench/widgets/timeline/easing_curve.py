@@ -10,6 +10,7 @@ from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPen, Q
 from PySide6.QtWidgets import QWidget
 
 from workbench.language import _
+from workbench.widgets.look.plain_keys import is_plain
 from workbench.widgets.look.tokens import colour, theme_changed, tokens
 
 Handles = tuple[float, float, float, float]
@@ -168,7 +169,9 @@ class EasingCurve(QWidget):
             Qt.Key.Key_Down: (0.0, -_NUDGE),
         }
         key = Qt.Key(event.key())
-        if key in moves and self._handles is not None:
+        if not is_plain(event):
+            super().keyPressEvent(event)
+        elif key in moves and self._handles is not None:
             x, y = self._handles[2 * self._chosen : 2 * self._chosen + 2]
             self._ask(self._chosen, x + moves[key][0], y + moves[key][1])
             self.handles_dropped.emit()

@@ -19,6 +19,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QWidget
 
 from workbench.language import _, ngettext
+from workbench.widgets.look.plain_keys import is_plain
 from workbench.widgets.look.tokens import colour, theme_changed, tokens
 from workbench.widgets.timeline.frame_axis import FrameAxis
 from workbench.widgets.timeline.rows import KeyShown, TimelineShown, TrackShown
@@ -227,13 +228,14 @@ class FramesView(QWidget):
 
     def is_own(self, event: QKeyEvent) -> bool:
         """Whether a key is for this page, whatever command has it elsewhere."""
-        plain = not event.modifiers() & _CTRL
-        return plain and (Qt.Key(event.key()) in _MOVES or Qt.Key(event.key()) in self._others())
+        return is_plain(event) and (Qt.Key(event.key()) in _MOVES or Qt.Key(event.key()) in self._others())
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Go from frame to frame and from track to track, play, zoom, let the ghosts reach farther."""
         key, shown = Qt.Key(event.key()), self._shown
-        if key in _MOVES:
+        if not is_plain(event):
+            super().keyPressEvent(event)
+        elif key in _MOVES:
             across, down = _MOVES[key]
             if down:
                 self.choose_row(down)

@@ -7,6 +7,7 @@ from PySide6.QtGui import QContextMenuEvent, QHelpEvent, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QMenu, QToolTip, QWidget
 
 from workbench.language import _
+from workbench.widgets.look.plain_keys import is_plain
 from workbench.widgets.timeline.frame_axis import FrameAxis
 from workbench.widgets.timeline.frames_view import FramesView
 from workbench.widgets.timeline.rows import KeyShown
@@ -178,10 +179,10 @@ class KeyEditor(FramesView):
     # By keyboard
 
     def is_own(self, event: QKeyEvent) -> bool:
-        """Those of the keys, too, and with Ctrl the arrows and A."""
+        """Those of the keys, too, with Ctrl the arrows and A, with Alt the arrows."""
         key = Qt.Key(event.key())
-        if event.modifiers() & _CTRL:
-            return key in _ALONG or key == Qt.Key.Key_A
+        if not is_plain(event):
+            return key in _ALONG or (key == Qt.Key.Key_A and bool(event.modifiers() & _CTRL))
         return key in _OF_KEYS or super().is_own(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
@@ -193,6 +194,8 @@ class KeyEditor(FramesView):
             self._go_to_key(_ALONG[key])
         elif key == Qt.Key.Key_A and modifiers & _CTRL:
             self.select_all()
+        elif not is_plain(event):
+            super().keyPressEvent(event)
         elif key == Qt.Key.Key_K and self.shown.chosen:
             self.key_wanted.emit(self.shown.chosen, self.shown.frame)
         elif key in (Qt.Key.Key_Delete, Qt.Key.Key_Backspace):

@@ -32,6 +32,7 @@ from workbench.language import _
 from workbench.widgets.canvas.pixel_canvas import ARROWS
 from workbench.widgets.look.comfort import comfort
 from workbench.widgets.look.in_sight import InSight
+from workbench.widgets.look.plain_keys import is_plain
 from workbench.widgets.look.tokens import CAPTION_PX, RADIUS, colour, theme, tokens
 from workbench.widgets.tube.glass import (
     cabinet_pixmap,
@@ -269,7 +270,7 @@ class ColourView(QWidget):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Arrows go to the next pixel."""
-        if event.key() in ARROWS:
+        if is_plain(event) and event.key() in ARROWS:
             dx, dy = ARROWS[Qt.Key(event.key())]
             self.picked.emit(*nearest_pixel(self._probe[0] + dx, self._probe[1] + dy, self._picture))
         else:

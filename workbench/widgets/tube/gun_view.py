@@ -29,6 +29,7 @@ from workbench.display.cutaway import (
     Shape,
     Span,
     beam_outline,
+    clear_labels,
     crowded,
     ends_on_face,
     labels,
@@ -43,10 +44,12 @@ from workbench.display.exposure import srgb_encoded
 from workbench.display.gun import Gun, Place
 from workbench.language import _
 from workbench.widgets.canvas.drawing import ink_of
+from workbench.widgets.look.plain_keys import is_plain
 from workbench.widgets.look.tokens import CAPTION_PX, RADIUS, colour, theme, tokens
 from workbench.widgets.tube.gun_painting import draw_lowered, is_at, paint_height, paint_length, paint_shape
 
 _PADDING_PX, _GAP_PX = 6.0, 6.0
+_WORDINGS = ("whole", "brief", "names", "short")
 _NEAR_PX, _SPOT_PX = 14.0, 5.0
 _LEAST_HEIGHT_PX, _BEFORE_MM = 12.0, 9.0
 _FAINTEST, _STRONGEST = 50, 235
@@ -74,7 +77,7 @@ class GunView(QWidget):
         self._shapes: tuple[Shape, ...] = shapes(self._gun)
         self._scale, self._cathode = 1.0, QPointF()
         self._placed: tuple[PlacedLabel, ...] = ()
-        self._wording = "whole"
+        self._wording = self._placed_as = _WORDINGS[0]
         self._asked: object = None
         self._spans: tuple[Span, ...] = ()
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -214,7 +217,9 @@ class GunView(QWidget):
         """Left and right go from part to part, up and down move the spot, with Shift farther."""
         along = {Qt.Key.Key_Left: -1, Qt.Key.Key_Right: 1}.get(Qt.Key(event.key()))
         up = {Qt.Key.Key_Up: 1.0, Qt.Key.Key_Down: -1.0}.get(Qt.Key(event.key()))
-        if along is not None:
+        if not is_plain(event):
+            super().keyPressEvent(event)
+        elif along is not None:
             self._go(along)
         elif up is not None and self.spot_px is not None:
             far = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
@@ -326,23 +331,30 @@ class GunView(QWidget):
         return left, top - tall, left + wide, top
 
     def _lines(self, label: Label) -> list[str]:
-        if self._wording == "short":
-            return [label.short]
-        return [line for line in (label.title, label.value) if line][: 2 if self._wording == "whole" else 1]
+        title = label.title if self._wording in ("whole", "names") else label.short
+        return [line for line in (title, label.value) if line][
+            : 2 if self._wording in ("whole", "brief") else 1
+        ]
 
     def _place_labels(self, metrics: QFontMetricsF) -> None:
-        """With what parts are set to, or where that is too much, with their names alone, or short ones."""
-        told, gap = labels(self._gun, self._seconds), _GAP_PX / self._scale
-        for self._wording in ("whole", "names", "short"):
-            sizes = {label: self._size_of(metrics, label) for label in told}
-            asked = self._wording, self._scale, self.size(), self._gun.coils, self._gun.gap, [*sizes.values()]
-            if asked == self._asked:  # as large as they were, they stay where they are
-                self._placed = tuple(map(PlacedLabel, told, (each.box for each in self._placed)))
-                break
-            self._placed = place_labels(told, self._gun, sizes.__getitem__, gap, self._room())
-            self._asked = asked
-            if not crowded(self._placed):
-                break
+        """With names and what parts are set to, or where that is too much shorter names, or names alone."""
+        told, gap, room = labels(self._gun, self._seconds), _GAP_PX / self._scale, self._room()
+        sizes: dict[str, dict[Label, tuple[float, float]]] = {}
+        for self._wording in _WORDINGS:
+            sizes[self._wording] = {label: self._size_of(metrics, label) for label in told}
+        gun = self._gun
+        asked = self._scale, self.size(), gun.coils, gun.gap, [[*each.values()] for each in sizes.values()]
+        if asked == self._asked:  # as large as they were, they stay where they are
+            self._wording = self._placed_as
+            self._placed = tuple(map(PlacedLabel, told, (each.box for each in self._placed)))
+            return
+        self._asked = asked
+        for place in (clear_labels, place_labels):
+            for self._wording in _WORDINGS:
+                self._placed = place(told, gun, sizes[self._wording].__getitem__, gap, room)
+                self._placed_as = self._wording
+                if self._placed and not crowded(self._placed):
+                    return
 
     def _paint_labels(self, painter: QPainter, metrics: QFontMetricsF) -> None:
         now = tokens()

@@ -126,6 +126,11 @@ class LiveTube(QWidget):
         """Whether the timer runs."""
         return self._timer.isActive()
 
+    @property
+    def has_picture(self) -> bool:
+        """Whether it shows a picture, in the size that it has now."""
+        return self._shown is not None and not self._resized.isActive()
+
     def seconds(self) -> Fraction:
         """Tube time, exact."""
         return self._seconds if self.driver is None else self.driver.tube.seconds

@@ -11,6 +11,7 @@ from workbench.display.steered_beam import SteeredBeam, steered_tube
 from workbench.display.tube import Tube
 from workbench.language import _
 from workbench.widgets.canvas.pixel_canvas import ARROWS
+from workbench.widgets.look.plain_keys import is_plain
 from workbench.widgets.tube.live_tube import LiveTube
 
 _WIDEST_PX = 340
@@ -135,7 +136,7 @@ class SteeredTube(LiveTube):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Arrows move the spot, with Shift farther."""
-        if event.key() not in ARROWS or self._spot is None:
+        if event.key() not in ARROWS or self._spot is None or not is_plain(event):
             super().keyPressEvent(event)
             return
         dx, dy = ARROWS[Qt.Key(event.key())]

@@ -26,6 +26,7 @@ from workbench.display.tube import Tube
 from workbench.display.vector_beam import VectorBeam
 from workbench.language import _
 from workbench.widgets.canvas.pixel_canvas import ARROWS
+from workbench.widgets.look.plain_keys import is_plain
 from workbench.widgets.tube.glass import lit_near_the_middle, nearest_pixel, pixel_at
 from workbench.widgets.tube.live_tube import LiveTube
 from workbench.widgets.tube.marks import paint_beam, paint_probe
@@ -181,7 +182,7 @@ class TubeView(LiveTube):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Arrows move the probe."""
-        if event.key() in ARROWS:
+        if is_plain(event) and event.key() in ARROWS:
             x, y = self._probe or (self._picture[0] // 2, self._picture[1] // 2)
             dx, dy = ARROWS[Qt.Key(event.key())]
             self._probe = nearest_pixel(x + dx, y + dy, self._picture)

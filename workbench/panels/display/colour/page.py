@@ -30,9 +30,9 @@ from workbench.panels.display.colour.models_view import ModelsView, coordinates
 from workbench.panels.display.colour.penetration_view import PenetrationView
 from workbench.panels.panel import KeysWhileSeen, Said
 from workbench.panels.shared.lighting import Lighting
+from workbench.panels.shared.tube_feed import picture_of
 from workbench.panels.stage.plain_page import PlainPage
 from workbench.rendering.display_program import tube_strokes
-from workbench.rendering.scene.backdrop import whole_picture
 from workbench.rendering.subjects.colour_model import (
     KIND,
     TO_CMY,
@@ -121,7 +121,8 @@ class ColourPage(PlainPage, QWidget):
         session, run = self.session, self.session.run
         self._waiting = QTimer(self, singleShot=True, interval=0)
         self._waiting.timeout.connect(self.refresh)
-        for told in (session.changed, session.state_changed):
+        grown = session.unfolding.grown, session.ahead.arrived
+        for told in (session.changed, session.state_changed, *grown):
             told.connect(lambda *_a: self._waiting.start())
         for told in (run.changed, run.moved, run.grown):
             told.connect(self._show_marks)
@@ -221,7 +222,10 @@ class ColourPage(PlainPage, QWidget):
         elif PARTS[number] == MASK:
             self._show_mask(subject, sheet)
         else:
-            self.penetration.show_subject(subject, tube_strokes(as_seen(self.session.state, sheet)), size)
+            seen = as_seen(self.session.state, sheet)
+            strokes = self.session.ahead.of(seen, "strokes", partial(tube_strokes, seen))
+            if strokes is not None:
+                self.penetration.show_subject(subject, strokes, size)
 
     def _show_mask(self, subject: Subject, sheet: Sheet) -> None:
         size = sheet.width_px, sheet.height_px
@@ -233,7 +237,10 @@ class ColourPage(PlainPage, QWidget):
             return
         drawn = sheet, self.session.state.looks.get(sheet.id), self._lighting.lit(sheet)
         same = self._drawn is not None and self._drawn[0] is sheet and self._drawn[1:] == drawn[1:]
-        image = self.masked.whole.image if same else whole_picture(as_seen(self.session.state, sheet))
+        seen = as_seen(self.session.state, sheet)
+        image = self.masked.whole.image if same else picture_of(self.session, seen, drawn[2])
+        if image is None:
+            return
         self._drawn = drawn
         for view in self._colour_tubes:
             view.show_picture(image, setup_of(subject))

@@ -75,7 +75,7 @@ class ComparisonBar(QWidget):
 
     def refresh(self) -> None:
         """Show what is set."""
-        sheet, subject = self._session.sheet, self._session.state.subject
+        sheet, subject = self._session.frames.seen, self._session.state.subject
         displays = [(each, VectorTiming.named(each).name) for each in vector_displays()]
         fill_choices(self.display, displays, display_of(subject))
         lens = dict(zip("xy", lens_of(sheet, subject), strict=True))

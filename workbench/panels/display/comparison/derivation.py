@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms.marks import Ink, Region, Stroke, Word
+from workbench.algorithms.numerals import with_minus
 from workbench.algorithms.scanning.operations import JUMP, NAMES
 from workbench.exchange.diagrams import Arrow, Block, Derivation, Drawing, Heading, Item, Sentence
 from workbench.exchange.grids import Grid
@@ -154,7 +155,7 @@ def _random(facts: Facts) -> Drawing:
     ]
     rows = facts.program.rows[:-1][:_ROWS].tolist()
     for k, (operation, x, y, _intensity) in enumerate(rows):
-        words = f"{NAMES[int(operation)]} {x:.3g}, {y:.3g}"
+        words = with_minus(f"{NAMES[int(operation)]} {x:.3g}, {y:.3g}")
         items.append(Word(words, 3.0, 33.0 - 4.6 * k, "text", 1, 0))
     items.append(Word(f"{NAMES[JUMP]} 0", 3.0, 33.0 - 4.6 * len(rows), "data3", 1, 0))
     items += [

@@ -1,19 +1,28 @@
 """Raster and random scan feature by feature, with the numbers of one picture on two displays."""
 
+from fractions import Fraction
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
-from workbench.display.list_time import ListTime
-from workbench.display.refresh_limit import LineTime
-from workbench.display.setup import area_mm
+from workbench.display.list_time import ListTime, list_time
+from workbench.display.refresh_limit import LineTime, longest_steady_s
+from workbench.display.setup import TubeSetup, area_mm, too_many_pixels
 from workbench.display.timings import RasterTiming
 from workbench.display.vector_timing import VectorTiming
+from workbench.document.model import Sheet
+from workbench.document.subjects import Subject
 from workbench.language import _
 from workbench.rendering.display_program import DisplayProgram, Strokes
+from workbench.rendering.hatching import filled_pixels, hatched
+from workbench.rendering.scene.backdrop import whole_picture
+from workbench.rendering.subjects.comparison import comparison_program, number_of
+from workbench.rendering.subjects.random_scan import shortest_ps_of, timing_of, units_of
 
 BYTES_PER_INSTRUCTION = 4
 BYTES_PER_PIXEL = 3
+_NOTHING = np.zeros((3, 4), np.uint32)
 
 
 class Feature(NamedTuple):
@@ -63,6 +72,23 @@ class Facts(NamedTuple):
     def as_long_as_raster(self) -> int:
         """How many lines take as long as the raster takes for any picture."""
         return int(float(self.raster.frame_s) * 1e12) // max(self.line.total_ps, 1)
+
+
+def measured(sheet: Sheet, subject: Subject, setup: TubeSetup) -> tuple[Facts, NDArray[np.uint32]]:
+    """What is compared of a sheet, and its frame buffer (h, w); black where that has too many pixels."""
+    size, hatch = (sheet.width_px, sheet.height_px), int(number_of(subject, "hatch"))
+    program, timing = comparison_program(sheet, hatch), timing_of(subject)
+    units, shortest = units_of(sheet, subject), shortest_ps_of(subject)
+    time = list_time(program.rows, units, timing, shortest)
+    line = LineTime.mean(time, len(program.strokes))
+    rate, longest = Fraction(str(number_of(subject, "refresh"))), longest_steady_s(setup.guns())
+    facts = Facts(
+        size, RasterTiming.synthesised(*size, rate),
+        timing, units, program, time, line, stairs_of(comparison_program(sheet, 0).strokes),
+        filled_pixels(sheet), len(hatched(sheet, hatch)) if hatch else 0,
+        1.0 / longest, line.most_lines(longest, shortest),
+    )  # fmt: skip
+    return facts, _NOTHING if too_many_pixels(size) else whole_picture(sheet)
 
 
 def stairs_of(strokes: Strokes) -> int:

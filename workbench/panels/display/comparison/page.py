@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import replace as replace_setup
-from fractions import Fraction
+from functools import partial
 
 import numpy as np
 from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal
@@ -18,33 +18,27 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
 
 from workbench.algorithms.scanning.random_scan import random_scan as text
-from workbench.display.list_time import list_time
 from workbench.display.magnified import magnified_raster, magnified_vector
-from workbench.display.refresh_limit import LineTime, longest_steady_s
 from workbench.display.setup import TubeSetup, too_many_pixels
-from workbench.display.timings import RasterTiming
-from workbench.document.state import as_seen
+from workbench.document.model import Sheet
 from workbench.document.subjects import Subject
 from workbench.exchange.diagrams import Derivation
 from workbench.exchange.tables import Table
 from workbench.language import _
 from workbench.panels.display.comparison.bar import ComparisonBar
 from workbench.panels.display.comparison.derivation import derivation
-from workbench.panels.display.comparison.facts import Facts, features, stairs_of
+from workbench.panels.display.comparison.facts import Facts, features, measured
 from workbench.panels.panel import DockPart, KeysWhileSeen, Said
 from workbench.panels.shared.lighting import Lighting
 from workbench.panels.shared.tube_feed import setup_of
 from workbench.panels.stage.plain_page import PlainPage
-from workbench.rendering.hatching import filled_pixels, hatched
-from workbench.rendering.scene.backdrop import whole_picture
 from workbench.rendering.subjects.comparison import (
     KIND,
     compared,
-    comparison_program,
     lens_of,
     number_of,
 )
-from workbench.rendering.subjects.random_scan import MOST_LINES, shortest_ps_of, timing_of, units_of
+from workbench.rendering.subjects.random_scan import MOST_LINES, shortest_ps_of, timing_of
 from workbench.session.session import Session
 from workbench.widgets.canvas.pixel_canvas import ARROWS
 from workbench.widgets.look.icons import set_icon
@@ -75,7 +69,7 @@ class ComparisonPage(PlainPage, QWidget):
         self._waiting = False
         self.facts: Facts | None = None
         self._image = _NOTHING
-        self._fed: object = None
+        self._fed: dict[TubeView, object] = {}
         self._measured: object = None
         self._lighting = Lighting(self.refresh_soon, self)
         self.bar = ComparisonBar(session)
@@ -105,8 +99,10 @@ class ComparisonPage(PlainPage, QWidget):
         whole.addWidget(self.note)
         whole.addWidget(self.plot)
         self.setFocusProxy(self.raster)
-        self._feeding = QTimer(self, singleShot=True, interval=0)  # in a turn of its own
-        self._feeding.timeout.connect(self._show_tubes)
+        self._feeding = QTimer(self, singleShot=True, interval=0)  # each tube has a turn of its own
+        self._feeding.timeout.connect(self._show_raster)
+        self._drawing = QTimer(self, singleShot=True, interval=0)
+        self._drawing.timeout.connect(self._show_vector)
         self._resting = QTimer(self)
         self._resting.setSingleShot(True)
         self._resting.setInterval(80)
@@ -134,7 +130,7 @@ class ComparisonPage(PlainPage, QWidget):
     def _connect(self) -> None:
         session = self.session
         self._due.connect(self.refresh, Qt.ConnectionType.QueuedConnection)
-        for told in (session.changed, session.state_changed):
+        for told in (session.changed, session.state_changed, session.ahead.arrived):
             told.connect(self.refresh_soon)
         for signal in (session.run.changed, session.run.moved, session.run.grown):
             signal.connect(self.refresh_soon)
@@ -192,16 +188,19 @@ class ComparisonPage(PlainPage, QWidget):
         self._waiting = False
         if not self.isVisible() or self.session.state.workspace != PAGE:
             return
-        self.bar.refresh()
-        state, sheet = self.session.state, self.session.sheet
-        lit = self._lighting.lit(sheet)
-        of = sheet, compared(state.subject), self._setup, state.looks.get(sheet.id), lit
-        if self.facts is None or of != self._measured:
-            self.facts, self._measured = self._measure(), of
+        sheet, subject = self._sheet, self.session.state.subject
+        of = compared(subject), self._setup, self._lighting.lit(sheet)
+        if self.facts is None or (sheet, *of) != self._measured:
+            make = partial(measured, sheet, subject, self._setup)
+            answer = self.session.ahead.of(sheet, "comparison", make, *of)
+            if answer is None:
+                return
+            (self.facts, self._image), self._measured = answer, (sheet, *of)
+            self.refusal.say(too_many_pixels(self.facts.size))
             self._show_numbers(self.facts)
+        self.bar.refresh()
         self._tell()
         self._feeding.start()
-        self._resting.start()
 
     def _show_numbers(self, facts: Facts) -> None:
         """Table and plot."""
@@ -216,26 +215,10 @@ class ComparisonPage(PlainPage, QWidget):
         )  # fmt: skip
         self.plot.show_curve(curve, len(facts.program.strokes), MOST_LINES)
 
-    def _measure(self) -> Facts:
-        """What is compared, of the sheet as it is."""
-        sheet, subject = self.session.sheet, self.session.state.subject
-        hatch = int(number_of(subject, "hatch"))
-        program, timing = comparison_program(sheet, hatch), timing_of(subject)
-        units, shortest = units_of(sheet, subject), shortest_ps_of(subject)
-        time = list_time(program.rows, units, timing, shortest)
-        line = LineTime.mean(time, len(program.strokes))
-        refused = too_many_pixels((sheet.width_px, sheet.height_px))
-        self.refusal.say(refused)
-        self._image = _NOTHING if refused else whole_picture(as_seen(self.session.state, sheet))
-        rate = Fraction(str(number_of(subject, "refresh")))
-        longest = longest_steady_s(self._setup.guns())
-        return Facts(
-            (sheet.width_px, sheet.height_px),
-            RasterTiming.synthesised(sheet.width_px, sheet.height_px, rate),
-            timing, units, program, time, line, stairs_of(comparison_program(sheet, 0).strokes),
-            filled_pixels(sheet), len(hatched(sheet, hatch)) if hatch else 0,
-            1.0 / longest, line.most_lines(longest, shortest),
-        )  # fmt: skip
+    @property
+    def _sheet(self) -> Sheet:
+        """What is compared: the sheet as it is seen."""
+        return self.session.frames.seen
 
     @property
     def _setup(self) -> TubeSetup:
@@ -247,34 +230,44 @@ class ComparisonPage(PlainPage, QWidget):
             timing=timing_of(subject),
         )
 
-    def _show_tubes(self) -> None:
-        """Both pictures, or of a frame that is stepped what either beam has drawn in the same time."""
+    def _show_raster(self) -> None:
+        """The picture, or of a frame that is stepped what the beam has scanned in the time of the other."""
         facts = self.facts
         if facts is None:
             return
-        settings, setup = self.session.state.tube, self._setup
         address, done_s = self._position(facts)
-        strokes = facts.program.strokes
-        image = self._image
-        if address >= 0:
-            self.vector.set_trace(Trace.at(facts.program, address))
-            strokes = strokes.cut(facts.program.drawn_by(address))
-            scanned = min(int(done_s / float(facts.raster.line_s)), len(image))
-            image = image.copy()
-            image[: len(image) - scanned] = 0
-        else:
-            self.vector.set_trace(None)
-        fed = facts, address, setup
-        for view in (self.raster, self.vector):
-            if not view.sight.now:
-                return
-            view.set_setup(setup)
-            view.set_slow_motion(settings.slow_motion)
-            view.set_paused(settings.paused)
-        if fed != self._fed:
-            self._fed = fed
+        if self._may_take(self.raster, (facts, address, self._setup)):
+            image = self._image
+            if address >= 0:
+                scanned = min(int(done_s / float(facts.raster.line_s)), len(image))
+                image = image.copy()
+                image[: len(image) - scanned] = 0
             self.raster.set_image(image)
-            self.vector.set_strokes(strokes.for_tube(), facts.size)
+        self._drawing.start()
+
+    def _show_vector(self) -> None:
+        """The list, or of a frame that is stepped what the beam has drawn."""
+        facts = self.facts
+        if facts is None:
+            return
+        address, _done_s = self._position(facts)
+        self.vector.set_trace(Trace.at(facts.program, address) if address >= 0 else None)
+        if self._may_take(self.vector, (facts, address, self._setup)):
+            strokes = facts.program.strokes
+            drawn = strokes.cut(facts.program.drawn_by(address)) if address >= 0 else strokes
+            self.vector.set_strokes(drawn.for_tube(), facts.size)
+        self._resting.start()
+
+    def _may_take(self, view: TubeView, fed: tuple[object, ...]) -> bool:
+        """Set a tube that is seen as the page is; whether it has not been fed so yet."""
+        if not view.sight.now:
+            return False
+        settings = self.session.state.tube
+        view.set_setup(self._setup)
+        view.set_slow_motion(settings.slow_motion)
+        view.set_paused(settings.paused)
+        new, self._fed[view] = self._fed.get(view) != fed, fed
+        return new
 
     def _position(self, facts: Facts) -> tuple[int, float]:
         """The address that was run last, and the seconds since the frame began; -1 where none was."""
@@ -291,7 +284,7 @@ class ComparisonPage(PlainPage, QWidget):
             for lens in self.lenses:
                 lens.hide()
             return
-        sheet, subject = self.session.sheet, self.session.state.subject
+        sheet, subject = self._sheet, self.session.state.subject
         place, power = lens_of(sheet, subject), number_of(subject, "power")
         of_raster, of_vector = self.lenses
         of_raster.show_part(
@@ -333,14 +326,14 @@ class ComparisonPage(PlainPage, QWidget):
             if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.KeyPress:
                 way = ARROWS.get(Qt.Key(event.key()))
                 if way is not None:
-                    x, y = lens_of(self.session.sheet, self.session.state.subject)
+                    x, y = lens_of(self._sheet, self.session.state.subject)
                     far = 5 if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1
                     self._move_glass(round(x) + far * way[0], round(y) + far * way[1])
                     return True
         return super().eventFilter(watched, event)
 
     def _move_glass(self, x: int, y: int) -> None:
-        sheet = self.session.sheet
+        sheet = self._sheet
         x, y = min(max(x, 0), sheet.width_px - 1), min(max(y, 0), sheet.height_px - 1)
         self.bar.give(x=float(x), y=float(y))
 

@@ -33,8 +33,8 @@ from workbench.panels.display.flicker.measures import MeasuresView
 from workbench.panels.display.flicker.phosphor_table import PhosphorTable
 from workbench.panels.panel import DockPart, KeysWhileSeen, Said
 from workbench.panels.shared.lighting import Lighting
+from workbench.panels.shared.tube_feed import picture_of
 from workbench.panels.stage.plain_page import PlainPage
-from workbench.rendering.scene.backdrop import whole_picture
 from workbench.rendering.subjects.flicker import KIND, given, is_of_a_phosphor, number, phosphor_of, setup_of
 from workbench.session.answers import Answers
 from workbench.session.session import Session
@@ -119,6 +119,8 @@ class FlickerPage(PlainPage, QWidget):
             told.connect(self.refresh)
         for told in (run.changed, run.moved, run.grown):
             told.connect(self._show_steps)
+        for grown in (session.unfolding.grown, session.ahead.arrived):
+            grown.connect(self._rest.start)
         self.controls.changed.connect(self.change)
         self.controls.calm.flash_wanted.connect(lambda: self.warning.ask(number(self.subject, "refresh_hz")))
         self.controls.moves.toggled.connect(self._let_move)
@@ -236,8 +238,11 @@ class FlickerPage(PlainPage, QWidget):
             self._column = -1
             self._move()
         else:
-            self._lighting.lit(sheet)
-            self._put(whole_picture(as_seen(self.session.state, sheet)))
+            seen = as_seen(self.session.state, sheet)
+            image = picture_of(self.session, seen, self._lighting.lit(sheet))
+            if image is None:
+                return
+            self._put(image)
         self._probe_something()
         self._let_move()
         if not self._held:

@@ -39,7 +39,8 @@ from workbench.exchange import tables
 from workbench.language import _, ngettext
 from workbench.panels.display.raster.colour_grid import ColourGrid
 from workbench.panels.display.raster.setting import RasterSetting
-from workbench.rendering import frame_buffer
+from workbench.panels.shared.tube_feed import picture_of
+from workbench.rendering.scene.backdrop import can_be_lit, whole_picture
 from workbench.rendering.subjects.raster import depth_of, table_of
 from workbench.widgets.look.flow_layout import flowing
 from workbench.widgets.look.in_sight import InSight
@@ -128,7 +129,8 @@ class BufferDock(QScrollArea):
         self._resting.setInterval(_REST_MS)
         self._resting.timeout.connect(self._compare)
         self.in_sight = InSight(self)
-        self.in_sight.changed.connect(lambda seen: self.refresh() if seen else None)
+        # Once docks have their places
+        self.in_sight.changed.connect(lambda _seen: QTimer.singleShot(0, self, self.refresh))
 
     def _made_table(self) -> QTableWidget:
         table = QTableWidget(len(DEPTHS), 4)
@@ -201,7 +203,7 @@ class BufferDock(QScrollArea):
         elif isinstance(what, int):
             self._take(ramp(count, what))
         else:
-            picture = frame_buffer(self._setting.session.sheet)
+            picture = whole_picture(self._setting.sheet)
             self._take(most_frequent(picture, count) if what else ())
 
     @property
@@ -262,8 +264,8 @@ class BufferDock(QScrollArea):
         """Show the depth and the table that are set now; unseen, when it is seen."""
         if not self.in_sight.now:
             return
-        session, subject = self._setting.session, self._setting.subject
-        state = session.sheet, depth_of(subject), table_of(subject)
+        subject = self._setting.subject
+        state = self._setting.sheet, depth_of(subject), table_of(subject)
         if self._shown is not None and state == self._shown:
             return
         self._shown = state
@@ -298,8 +300,11 @@ class BufferDock(QScrollArea):
         """The picture at every depth, the one that is set with its own table."""
         if not self.in_sight.now:
             return
-        sheet = self._setting.session.sheet
-        picture, chosen = frame_buffer(sheet), depth_of(self._setting.subject)
+        sheet, chosen = self._setting.sheet, depth_of(self._setting.subject)
+        picture = picture_of(self._setting.session, sheet, can_be_lit(sheet))
+        if picture is None:
+            self._shown = None  # it is shown when it has come
+            return
         self._buffers = [
             stored(picture, depth, self.table if depth == chosen else usual_table(depth)) for depth in DEPTHS
         ]

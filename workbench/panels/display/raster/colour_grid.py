@@ -8,6 +8,7 @@ from PySide6.QtGui import QColor, QKeyEvent, QLinearGradient, QMouseEvent, QPain
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from workbench.language import _
+from workbench.widgets.look.plain_keys import is_plain
 from workbench.widgets.look.tokens import colour, theme, tokens
 
 _COLUMNS, _CELL_PX, _RAMP_PX = 16, 20, 16
@@ -80,7 +81,9 @@ class ColourGrid(QWidget):
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Arrows go from entry to entry, Enter changes one."""
         way = _WAYS.get(Qt.Key(event.key()))
-        if way is not None:
+        if not is_plain(event):
+            super().keyPressEvent(event)
+        elif way is not None:
             self.choose(self.index + way)
         elif event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter) and self._colours and not self._direct:
             self.wanted.emit(self.index)

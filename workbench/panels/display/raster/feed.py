@@ -7,7 +7,7 @@ from PySide6.QtCore import QObject
 from workbench.document.model import Sheet
 from workbench.panels.display.raster.setting import RasterSetting
 from workbench.panels.shared.tube_feed import TubeFeed
-from workbench.rendering.subjects.raster import fault_of, scan_of
+from workbench.rendering.subjects.raster import fault_of
 from workbench.widgets.tube.raster_view import RasterView
 from workbench.widgets.tube.view import TubeView
 
@@ -25,11 +25,12 @@ class RasterFeed(TubeFeed):
     def _scanned(self) -> object:
         return self._setting.subject
 
-    def _scan(self, view: TubeView, sheet: Sheet) -> None:
+    def _scan(self, view: TubeView, sheet: Sheet, lit: bool) -> bool:
         assert isinstance(view, RasterView)
-        subject = self._setting.subject
-        self._refusals[view].say(fault_of(sheet, subject))
-        scan = scan_of(sheet, subject)
+        fault = fault_of(sheet, self._setting.subject)
+        self._refusals[view].say(fault)
+        scan = self._setting.scan_of(sheet)
         if scan is not None:
             view.show_scan(scan.buffer.shown, scan.timing, (sheet.width_px, sheet.height_px))
         self._told()
+        return scan is not None or fault != ""

@@ -118,7 +118,7 @@ class RasterPage(PlainPage, QWidget):
     def _connect(self) -> None:
         session = self.session
         self._due.connect(self.refresh, Qt.ConnectionType.QueuedConnection)
-        for told in (session.changed, session.state_changed, comfort.changed):
+        for told in (session.changed, session.state_changed, comfort.changed, session.ahead.arrived):
             told.connect(self.refresh_soon)
         for signal in (session.run.changed, session.run.moved, session.run.grown):
             signal.connect(self._follow_soon)
@@ -199,8 +199,7 @@ class RasterPage(PlainPage, QWidget):
             return
         self.bar.refresh()
         self.pause.setChecked(self.session.state.tube.paused)
-        scan = self.setting.scan
-        self.diagram.show_timing(None if scan is None else scan.timing)
+        self.diagram.show_timing(self.setting.timing)
         self._follow_run()
 
     @property
@@ -303,7 +302,7 @@ class RasterPage(PlainPage, QWidget):
 
     def _probed(self, x: int, y: int) -> None:
         """Go to the step that scans the row, in detail to the pixel; the sums tell its address."""
-        scan, sheet = self.setting.scan, self.session.sheet
+        scan, sheet = self.setting.scan, self.setting.sheet
         if scan is None:
             return
         timing, run = scan.timing, self.session.run

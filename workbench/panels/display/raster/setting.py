@@ -1,14 +1,16 @@
 """What is set on the page Raster: the arguments of its subject, on whatever page one is."""
 
+from functools import partial
 from typing import Any
 
 from msgspec.structs import replace
 
 from workbench.display.scan import Scan
 from workbench.display.timings import RasterTiming
-from workbench.document.state import as_seen
+from workbench.document.model import Sheet
 from workbench.document.subjects import Argument, Position, Subject
-from workbench.rendering.subjects.raster import KIND, given, mode_of, scan_of, with_given
+from workbench.rendering.scene.backdrop import can_be_lit
+from workbench.rendering.subjects.raster import KIND, fault_of, given, mode_of, scan_of, timing_of, with_given
 from workbench.rendering.subjects.registry import checked
 from workbench.session.session import Session
 
@@ -22,6 +24,7 @@ class RasterSetting:
 
     def __init__(self, session: Session) -> None:
         self.session = session
+        self._before: Scan | None = None
 
     @property
     def subject(self) -> Subject:
@@ -43,9 +46,30 @@ class RasterSetting:
     @property
     def mode(self) -> RasterTiming:
         """The mode as it is named or typed."""
-        return mode_of(self.session.sheet, self.subject)
+        return mode_of(self.sheet, self.subject)
+
+    @property
+    def sheet(self) -> Sheet:
+        """What is scanned: the sheet as it is seen."""
+        return self.session.frames.seen
+
+    @property
+    def timing(self) -> RasterTiming | None:
+        """What the beam follows; None where nothing can be scanned."""
+        sheet, subject = self.sheet, self.subject
+        return None if fault_of(sheet, subject) else timing_of(sheet, subject)
 
     @property
     def scan(self) -> Scan | None:
-        """What is scanned; None where nothing can be."""
-        return scan_of(as_seen(self.session.state, self.session.sheet), self.subject)
+        """What is scanned, or was before while a large sheet is worked on; None where nothing can be."""
+        scan = self.scan_of(self.sheet)
+        if scan is None and self._before is not None and self._before.timing == self.timing:
+            return self._before
+        self._before = scan
+        return scan
+
+    def scan_of(self, sheet: Sheet) -> Scan | None:
+        """The picture of a sheet as it is stored and scanned; None where it cannot be, or cannot yet."""
+        subject = self.subject
+        make = partial(scan_of, sheet, subject)
+        return self.session.ahead.of(sheet, KIND, make, subject, can_be_lit(sheet))

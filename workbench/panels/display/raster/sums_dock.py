@@ -5,7 +5,7 @@ from fractions import Fraction
 from functools import partial
 from html import escape
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import (
     QGridLayout,
@@ -121,7 +121,8 @@ class SumsDock(QWidget):
         whole.addLayout(self._buttons())
         self._labels: list[tuple[QLabel, QLabel, QLabel]] = []
         self.in_sight = InSight(self)
-        self.in_sight.changed.connect(lambda seen: self.refresh() if seen else None)
+        # Once docks have their places
+        self.in_sight.changed.connect(lambda _seen: QTimer.singleShot(0, self, self.refresh))
 
     def _buttons(self) -> QHBoxLayout:
         row = QHBoxLayout()
@@ -190,8 +191,7 @@ class SumsDock(QWidget):
 
     @property
     def _scanned(self) -> RasterTiming:
-        scan = self._setting.scan
-        return self._setting.mode if scan is None else scan.timing
+        return self._setting.timing or self._setting.mode
 
     def _of_the_mode(self) -> Numbers:
         asked = self._mode != SHEET

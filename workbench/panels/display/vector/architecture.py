@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms.marks import Ink, Region, Spot, Stroke, Word
+from workbench.algorithms.numerals import with_minus
 from workbench.algorithms.scanning.operations import DRAW, JUMP, MOVE, NAMES
 from workbench.exchange.diagrams import Arrow, Drawing, Item
 from workbench.language import _
@@ -146,7 +147,7 @@ def _listing(now: Working) -> list[Item]:
         if current:
             box = x0, at - pitch / 2, x1, at + pitch / 2
             items.append(Region(_ring(box)[:-1], "data2"))
-        place = f"{x:.3g}, {y:.3g}" if operation != JUMP else "0"
+        place = with_minus(f"{x:.3g}, {y:.3g}") if operation != JUMP else "0"
         ink: Ink = "text" if current else "muted"
         word = f"{address}:  {NAMES[int(operation)]}  {place}"
         items.append(Word(word, x0 + 1.0, at, ink, 1, 0, strong=current))

@@ -1,5 +1,6 @@
 """How a random-scan display works, as a page: its architecture, the list, and the sum of its times."""
 
+from workbench.algorithms.numerals import with_minus
 from workbench.algorithms.scanning.operations import DRAW, NAMES
 from workbench.exchange.diagrams import Block, Derivation, Heading, Sentence
 from workbench.language import _
@@ -40,7 +41,7 @@ def _listing(run: VectorRun) -> list[str]:
     lines = []
     for address, (operation, x, y, intensity) in enumerate(run.program.rows[:_LISTED].tolist()):
         took = int(run.budget.time.each_ps[address]) * 1e-6
-        place = f"({x:.4g}, {y:.4g})" if address < len(run.program) - 1 else "0"
+        place = with_minus(f"({x:.4g}, {y:.4g})") if address < len(run.program) - 1 else "0"
         bright = f", {intensity:.0%}" if operation == DRAW else ""
         lines.append(f"{address}:  {NAMES[int(operation)]} {place}{bright}: {took:.4g} µs")
     more = len(run.program) - _LISTED

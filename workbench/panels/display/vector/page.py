@@ -146,7 +146,7 @@ class VectorPage(PlainPage, QWidget):
     def _connect(self) -> None:
         session = self.session
         self._due.connect(self.refresh, Qt.ConnectionType.QueuedConnection)
-        for told_of in (session.changed, session.state_changed):
+        for told_of in (session.changed, session.state_changed, session.ahead.arrived):
             told_of.connect(self.refresh_soon)
         for signal in (session.run.changed, session.run.moved, session.run.grown):
             signal.connect(self.refresh_soon)
@@ -207,8 +207,11 @@ class VectorPage(PlainPage, QWidget):
         self._waiting = False
         if not self.isVisible() or self.session.state.workspace != PAGE:
             return
-        run = self._run = vector_run(self.session)
         self.bar.refresh()
+        run = vector_run(self.session)
+        if run is None:
+            return
+        self._run = run
         self.nothing.setVisible(not len(run.program))
         self.table.model.take(run.program, run.budget.time, self.session.sheet.palette, run.locked)
         self.table.show_address(run.address)

@@ -1,9 +1,12 @@
 """What the page Random scan shows of a session: the list, its times, and where its run stands."""
 
 from dataclasses import dataclass
+from functools import partial
 
 from workbench.display.list_time import list_time
 from workbench.display.refresh_limit import LineTime, longest_steady_s
+from workbench.document.model import Sheet
+from workbench.document.subjects import Subject
 from workbench.language import _
 from workbench.panels.display.vector.architecture import Working
 from workbench.panels.display.vector.numbers import Budget
@@ -81,11 +84,17 @@ class VectorRun:
         )
 
 
-def vector_run(session: Session) -> VectorRun:
-    """The list of a session's sheet under its subject; a list stepped otherwise is not stepped here."""
+def vector_run(session: Session) -> VectorRun | None:
+    """The list of a session's sheet under its subject; a list stepped otherwise is not stepped here.
+
+    None while a large sheet is worked on.
+    """
     sheet, subject = session.sheet, session.state.subject
     if not runs_a_list(subject):
         raise ValueError("The page Random scan shows the run of a display list.")
+    make = partial(_programs, sheet, subject)
+    if not lines_of(subject) and session.ahead.of(sheet, "programs", make, is_ordered(subject)) is None:
+        return None
     program, timing, units = program_for(sheet, subject), timing_of(subject), units_of(sheet, subject)
     shortest = shortest_ps_of(subject)
     time = list_time(program.rows, units, timing, shortest)
@@ -108,6 +117,11 @@ def vector_run(session: Session) -> VectorRun:
         program, budget, address, drawn, size, _locked(test, is_ordered(subject)),
         _note(session, is_ordered(subject), program), stores,
     )  # fmt: skip
+
+
+def _programs(sheet: Sheet, subject: Subject) -> tuple[DisplayProgram, DisplayProgram]:
+    """The list as it is run, and in the order of the sheet; both are remembered."""
+    return program_for(sheet, subject), program_of(own_strokes(sheet, subject))
 
 
 def _position(session: Session, program: DisplayProgram) -> tuple[int, int]:

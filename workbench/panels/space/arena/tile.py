@@ -26,6 +26,7 @@ from workbench.rendering.scene.growth import Growth
 from workbench.rendering.scene.spaces import NOT_YET, title_of
 from workbench.widgets.canvas.overlay import Cell
 from workbench.widgets.look.icons import icon, set_icon
+from workbench.widgets.look.plain_keys import is_plain
 from workbench.widgets.look.tokens import CAPTION_PX, RADIUS, TEXT_PX, colour, theme_changed, tokens
 
 HEAD_PX, LINE_PX, AIR_PX, LINES = 24, 15, 8, 3
@@ -297,7 +298,9 @@ class MethodTile(QWidget):
             Qt.Key.Key_Up: (0, -1),
             Qt.Key.Key_Down: (0, 1),
         }
-        if event.key() in ways:
+        if not is_plain(event):
+            super().keyPressEvent(event)
+        elif event.key() in ways:
             self.moved.emit(*ways[Qt.Key(event.key())])
         elif event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
             self.stepped.emit(self.method)

@@ -12,6 +12,7 @@ from workbench.rendering.scene.fragments import NOTHING
 from workbench.rendering.subjects.visibility import is_of_the_scene, method_of
 from workbench.session.session import Session
 from workbench.widgets.look.icons import icon
+from workbench.widgets.look.plain_keys import is_plain
 
 
 class FragmentList(QWidget):
@@ -133,7 +134,7 @@ class FragmentList(QWidget):
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Enter goes to the step that is marked."""
         item = self.list.currentItem()
-        if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter) and item is not None:
+        if is_plain(event) and event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter) and item is not None:
             self._go(item)
         else:
             super().keyPressEvent(event)

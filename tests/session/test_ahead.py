@@ -1,0 +1,86 @@
+"""What is made of a large sheet is made on a thread, one thing at a time; of a small one at once."""
+
+import threading
+
+import pytest
+from msgspec.structs import replace
+from pytestqt.qtbot import QtBot
+
+from workbench.document.model import Sheet
+from workbench.document.samples.examples import blank_sheet
+from workbench.document.samples.figures import line
+from workbench.session.ahead import Ahead, is_large
+
+
+def sheet_of(count: int) -> Sheet:
+    figures = tuple(replace(line((k % 60, 1), (k % 60, 9)), id=f"f{3 * k + 1}") for k in range(count))
+    return replace(blank_sheet().sheets[0], figures=figures)
+
+
+def here() -> threading.Thread:
+    return threading.current_thread()
+
+
+def test_of_a_small_sheet_it_is_made_at_once_and_each_time(qapp: object) -> None:
+    ahead, sheet = Ahead(), sheet_of(3)
+    made = [ahead.of(sheet, "thread", here) for _time in range(2)]
+    assert made == [threading.main_thread()] * 2
+
+
+def test_of_a_large_sheet_it_is_made_once_and_elsewhere(qtbot: QtBot) -> None:
+    ahead, sheet = Ahead(), sheet_of(400)
+    assert is_large(sheet)
+    assert ahead.of(sheet, "thread", here) is None
+    assert ahead.of(sheet, "thread", here) is None
+    qtbot.waitUntil(lambda: ahead.of(sheet, "thread", here) is not None)
+    first = ahead.of(sheet, "thread", here)
+    assert first is not threading.main_thread()
+    assert ahead.of(sheet, "thread", here) is first
+    same = replace(sheet)  # equal, as after a change was taken back
+    assert ahead.of(same, "thread", here) is first
+    assert ahead.of(sheet, "thread", here, "otherwise") is None
+
+
+def test_one_thing_at_a_time_and_of_what_waits_only_the_last(qtbot: QtBot) -> None:
+    ahead, sheet = Ahead(), sheet_of(400)
+    go_on, made = threading.Event(), []
+
+    def make(number: int) -> int:
+        made.append(number)
+        assert go_on.wait(20)
+        return number
+
+    for number in range(5):
+        for _twice in range(2):
+            assert ahead.of(sheet, "number", lambda n=number: make(n), number) is None  # type: ignore[misc]
+    qtbot.waitUntil(lambda: made == [0])
+    go_on.set()
+    qtbot.waitUntil(lambda: not ahead.busy)
+    assert made == [0, 4]
+    qtbot.waitUntil(lambda: ahead.of(sheet, "number", lambda: make(4), 4) == 4)
+    assert made == [0, 4]
+    assert ahead.of(sheet, "number", lambda: make(0), 0) == 0
+    assert made == [0, 4]
+
+
+def test_what_fails_is_told_and_not_made_again(qtbot: QtBot, monkeypatch: pytest.MonkeyPatch) -> None:
+    told: list[BaseException | None] = []
+    monkeypatch.setattr(threading, "excepthook", lambda args: told.append(args.exc_value))
+    ahead, sheet = Ahead(), sheet_of(400)
+
+    def fail() -> int:
+        raise ValueError("no")
+
+    with qtbot.waitSignal(ahead.arrived):
+        assert ahead.of(sheet, "failing", fail) is None
+    assert ahead.of(sheet, "failing", fail) is None
+    qtbot.wait(20)
+    assert [type(each) for each in told] == [ValueError]
+
+
+def test_another_document_takes_what_waited(qtbot: QtBot) -> None:
+    ahead, sheet = Ahead(), sheet_of(400)
+    assert ahead.of(sheet, "thread", here) is None
+    ahead.forget()
+    qtbot.wait(50)
+    qtbot.waitUntil(lambda: ahead.of(sheet, "thread", here) is not None)

@@ -1,0 +1,46 @@
+"""A picture of the window waits for what is still to come in it."""
+
+from fractions import Fraction
+from types import SimpleNamespace
+
+from PySide6.QtWidgets import QMainWindow
+from pytestqt.qtbot import QtBot
+
+from workbench.session.ahead import Ahead
+from workbench.shell.settled import has_settled, when_settled
+from workbench.widgets.tube.view import TubeView
+
+
+def test_it_waits_for_the_picture_of_a_tube_that_is_seen(qtbot: QtBot) -> None:
+    window, tube, hidden = QMainWindow(), TubeView("raster"), TubeView("raster")
+    qtbot.addWidget(window)
+    hidden.setParent(window)
+    hidden.hide()
+    window.session = SimpleNamespace(ahead=Ahead(window))  # type: ignore[attr-defined]
+    window.setCentralWidget(tube)
+    build, tube._rebuild = tube._rebuild, lambda: None  # type: ignore[method-assign]
+    window.resize(300, 240)
+    window.show()
+    qtbot.waitExposed(window)
+    assert tube.sight.now
+    assert not has_settled(window)  # type: ignore[arg-type]
+    done: list[Fraction] = []
+    when_settled(window, lambda: done.append(tube.seconds()))  # type: ignore[arg-type]
+    qtbot.wait(120)
+    assert done == []
+    tube._rebuild = build  # type: ignore[method-assign]
+    tube._rebuild()
+    qtbot.waitUntil(lambda: len(done) == 1)
+    assert has_settled(window)  # type: ignore[arg-type]
+    tube.resize(200, 150)  # the picture has another size now
+    assert not has_settled(window)  # type: ignore[arg-type]
+    qtbot.waitUntil(lambda: has_settled(window))  # type: ignore[arg-type]
+
+
+def test_it_waits_for_what_is_worked_on_of_a_large_sheet(qtbot: QtBot) -> None:
+    window = QMainWindow()
+    qtbot.addWidget(window)
+    window.session = SimpleNamespace(ahead=Ahead(window))  # type: ignore[attr-defined]
+    assert has_settled(window)  # type: ignore[arg-type]
+    window.session.ahead._working = ()  # type: ignore[attr-defined]
+    assert not has_settled(window)  # type: ignore[arg-type]

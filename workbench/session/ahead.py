@@ -1,0 +1,87 @@
+"""What is worked out of whole sheets: of small ones at once, of large ones beside the interface."""
+
+from collections.abc import Callable
+from functools import lru_cache, partial
+from typing import Any, TypeVar
+
+from PySide6.QtCore import QObject, Signal
+
+from workbench.document.model import Sheet
+from workbench.engine.background import report
+from workbench.session.answers import Answers
+
+T = TypeVar("T")
+_Key = tuple[Any, ...]
+
+_FEW_FIGURES, _FEW_POINTS = 300, 2000
+_KEPT = 8
+
+
+@lru_cache(maxsize=8)
+def is_large(sheet: Sheet) -> bool:
+    """Whether to paint or list all of its figures may hold the interface."""
+    figures = sheet.figures
+    return len(figures) > _FEW_FIGURES or sum(len(each.points_world) for each in figures) > _FEW_POINTS
+
+
+class Ahead(QObject):
+    """Works on one thing at a time, on a thread. ``arrived``: there is one more for who asks again."""
+
+    arrived = Signal()
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._kept: list[tuple[_Key, Any]] = []
+        self._waiting: dict[str, tuple[_Key, Callable[[], Any]]] = {}
+        self._working: _Key | None = None
+        self._answers = Answers(self)
+        self._answers.arrived.connect(self._take)
+
+    @property
+    def busy(self) -> bool:
+        """Whether anything is worked on, or waits."""
+        return self._working is not None or bool(self._waiting)
+
+    def of(self, sheet: Sheet, name: str, make: Callable[[], T], *beside: object) -> T | None:
+        """What ``make`` gives of ``sheet``, under a ``name`` and what ``beside`` the sheet it depends on.
+
+        None until it is there; of those of one name that are waited for, only the last is made. ``make``
+        holds nothing of Qt. What it raises is told where the faults of threads are, and it is not made again.
+        """
+        if not is_large(sheet):
+            return make()
+        key = (sheet, name, *beside)
+        for known, value in self._kept:
+            if known == key:
+                return value  # type: ignore[no-any-return]
+        if key != self._working:
+            self._waiting[name] = key, make
+            self._next()
+        return None
+
+    def forget(self) -> None:
+        """Another document is open."""
+        self._kept.clear()
+        self._waiting.clear()
+
+    def _next(self) -> None:
+        if self._working is not None or not self._waiting:
+            return
+        key, make = self._waiting.pop(next(iter(self._waiting)))
+        self._working = key
+        self._answers.ask(partial(_answer, key, make), "sheets")
+
+    def _take(self, answer: tuple[_Key, Any]) -> None:
+        self._working = None
+        self._kept.insert(0, answer)
+        del self._kept[_KEPT:]
+        self.arrived.emit()
+        self._next()
+
+
+def _answer(key: _Key, make: Callable[[], T]) -> tuple[_Key, T | None]:
+    try:
+        return key, make()
+    except Exception:
+        report()
+        return key, None
