@@ -339,6 +339,54 @@ def test_a_storage_tube_keeps_what_was_written(page: VectorPage, session: Sessio
     assert tube.stored.any()
 
 
+def test_an_erasure_ends_though_the_tube_becomes_another_size(page: VectorPage, qtbot: QtBot) -> None:
+    give(page, storage=True)
+    bar = page.storage_bar
+    qtbot.waitUntil(lambda: page.storage.tube is not None and bar.write.isVisible())
+    settle(page)
+    bar.erase.click()
+    bar.dark.click()
+    before = page.storage.tube
+    page.resize(page.width() + 120, page.height() + 60)
+    qtbot.waitUntil(lambda: page.storage.tube is not before)
+    assert page.storage.erasing, "neither does it end at once"
+    assert not bar.write.isEnabled()
+    qtbot.waitUntil(bar.write.isEnabled, timeout=6000)
+    assert not page.storage.erasing
+    bar.write.click()
+    tube = page.storage.tube
+    assert tube is not None
+    assert tube.stored.any()
+
+
+def test_the_question_before_a_flash_takes_no_room_from_the_list(page: VectorPage, qtbot: QtBot) -> None:
+    give(page, storage=True)
+    bar = page.storage_bar
+    qtbot.waitUntil(bar.erase.isVisible)
+    narrow = page.minimumSizeHint().width()
+    bar.erase.click()
+    qtbot.waitUntil(bar.warning.isVisible)
+    assert page.minimumSizeHint().width() == narrow
+    for part in (bar.warning, bar.flash, bar.dark):
+        assert part.width() >= part.sizeHint().width()
+    bar.dark.click()
+
+
+def test_the_buttons_of_a_storage_tube_stay_where_they_are_when_its_note_is_longer(
+    page: VectorPage, qtbot: QtBot
+) -> None:
+    give(page, storage=True)
+    bar = page.storage_bar
+    qtbot.waitUntil(bar.erase.isVisible)
+    qtbot.waitUntil(lambda: "no flicker" in bar.note.text())
+    places = []
+    for text in ("One line.", "Several lines of it. " * 20):
+        bar.note.setText(text)
+        qtbot.wait(60)
+        places.append(bar.erase.mapTo(page, QPoint()))
+    assert places[0] == places[1]
+
+
 def test_its_tables_and_its_page_can_be_exported(page: VectorPage) -> None:
     titles = [title for title, _table in page.tables()]
     assert titles == ["Display list", "Refresh rate"]
