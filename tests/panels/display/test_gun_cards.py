@@ -30,6 +30,23 @@ def test_what_is_wrong_is_said_over_the_whole_card_and_the_slider_stays(page: Gu
     assert said.width() == slid.width()
 
 
+@pytest.mark.parametrize("width", [760, 800, 840, 1000])
+def test_what_is_wrong_is_said_whole_in_cards_of_any_width(page: GunPage, qtbot: QtBot, width: int) -> None:
+    page.resize(width, 520)
+    qtbot.waitUntil(lambda: page.cards.width() > width - 60)
+    beam = page.cards.beam
+    high = beam.fields["anode"].number.field.height()
+    for name, typed in (("anode", "99999"), ("focus", "-3"), ("grid", "abc")):
+        number = beam.fields[name].number
+        number.field.selectAll()
+        qtbot.keyClicks(number.field, typed)
+        qtbot.keyClick(number.field, Qt.Key.Key_Return)
+        said = number.complaint
+        qtbot.waitUntil(said.isVisible)
+        qtbot.waitUntil(lambda said=said: said.height() >= said.heightForWidth(said.width()))
+        assert [field.number.field.height() for field in beam.fields.values()] == [high] * 3
+
+
 def test_cards_ask_from_the_start_for_no_more_room_than_held_inputs_need(session: Session) -> None:
     fresh = GunPage(session)
     asked = fresh.cards.sizeHint().height()
