@@ -3,6 +3,8 @@
 import re
 
 import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
 from PySide6.QtCore import QPoint, Qt
 from pytestqt.qtbot import QtBot
 
@@ -116,3 +118,21 @@ def test_the_sliders_of_an_input_stand_beside_one_another_on_a_narrow_page(
         qtbot.waitUntil(lambda f=field: f.number.width() >= f.number.minimumSizeHint().width())
         assert field.number.label.width() >= field.number.label.sizeHint().width()
         assert field.number.unit.x() >= field.number.field.geometry().right()
+
+
+@given(
+    turns=st.lists(st.tuples(st.sampled_from(["brightness", "contrast"]), st.integers(0, 200)), max_size=12)
+)
+@settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=25)
+def test_knobs_that_are_turned_back_bring_the_grid_back(page: GunPage, turns: list[tuple[str, int]]) -> None:
+    """However far they went, and however many turns came before the page was shown."""
+    knobs = page.monitor
+    settle(page)
+    places = knobs.brightness.dial.value(), knobs.contrast.dial.value()
+    before = page.setting.gun.grid
+    for name, at in turns:
+        getattr(knobs, name).dial.setValue(at)
+    knobs.brightness.dial.setValue(places[0])
+    knobs.contrast.dial.setValue(places[1])
+    settle(page)
+    assert page.setting.gun.grid == pytest.approx(before, abs=0.03)
