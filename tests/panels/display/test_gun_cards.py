@@ -3,7 +3,8 @@
 import re
 
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import HealthCheck, given
+from hypothesis import settings as trying
 from hypothesis import strategies as st
 from PySide6.QtCore import QPoint, Qt
 from pytestqt.qtbot import QtBot
@@ -120,10 +121,38 @@ def test_the_sliders_of_an_input_stand_beside_one_another_on_a_narrow_page(
         assert field.number.unit.x() >= field.number.field.geometry().right()
 
 
+@pytest.mark.parametrize(
+    ("settings", "up", "across"),
+    [
+        ({"grid": -60.0}, "No beam: the grid is at its cut-off.", "No beam: the grid is at its cut-off."),
+        (
+            {"grid": -70.0, "coils": True},
+            "No beam: the grid is at its cut-off.",
+            "No beam: the grid is at its cut-off.",
+        ),
+        ({"y_volts": 700.0}, "Caught: beyond 640 V a plate is hit.", "The other plates catch the beam."),
+        ({"x_volts": -700.0}, "The other plates catch the beam.", "Caught: beyond 640 V a plate is hit."),
+        (
+            {"coils": True, "y_field": 9.0},
+            "The coils turn it round: it never gets out.",
+            "The coils turn it round: it never gets out.",
+        ),
+    ],
+)
+def test_where_no_beam_arrives_its_cards_say_why(
+    page: GunPage, settings: dict[str, float], up: str, across: str
+) -> None:
+    page.setting.change(settings)
+    settle(page)
+    for card, why in ((page.cards.up, up), (page.cards.across, across)):
+        assert card.line.text() == f"<b>{why}</b>"
+        assert card.line.heightForWidth(card.line.width()) <= card.line.height()
+
+
 @given(
     turns=st.lists(st.tuples(st.sampled_from(["brightness", "contrast"]), st.integers(0, 200)), max_size=12)
 )
-@settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=25)
+@trying(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=25)
 def test_knobs_that_are_turned_back_bring_the_grid_back(page: GunPage, turns: list[tuple[str, int]]) -> None:
     """However far they went, and however many turns came before the page was shown."""
     knobs = page.monitor
