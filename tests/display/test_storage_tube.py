@@ -65,6 +65,21 @@ def test_erasing_flashes_takes_its_time_and_leaves_nothing() -> None:
     assert tube.write([LINE]) > 0
 
 
+def test_a_tube_of_another_size_goes_on_with_the_erasure_and_the_age_of_the_one_before() -> None:
+    before, after = made(), made()
+    before.advance(60.0)
+    before.erase()
+    before.advance(0.6 * ERASE_S)
+    after.continue_from(before)
+    assert (after.light() == before.light()).all()
+    after.advance(0.5 * ERASE_S)
+    assert not after.erasing
+    before.advance(0.5 * ERASE_S)
+    for tube in (before, after):
+        tube.stored[:4] = True
+    assert (after.light() == before.light()).all()
+
+
 def test_there_is_no_way_to_erase_a_part() -> None:
     """One more stroke, of whatever current, never takes anything away."""
     tube = made()

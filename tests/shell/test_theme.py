@@ -5,7 +5,7 @@ import re
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
-from PySide6.QtWidgets import QApplication, QPushButton, QWidget
+from PySide6.QtWidgets import QApplication, QComboBox, QMainWindow, QPushButton, QVBoxLayout, QWidget
 from pytestqt.qtbot import QtBot
 
 from workbench.paths import resource
@@ -141,3 +141,33 @@ def test_larger_type(window: MainWindow) -> None:
     window.themes.choose("light", large=False)
     assert (large, QApplication.font().pixelSize()) == (16, 13)
     assert theme.current is LIGHT
+
+
+@pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
+@pytest.mark.parametrize("count", [2, 3, 7])
+@pytest.mark.parametrize("focused", [False, True])
+def test_a_list_to_choose_from_opens_with_all_its_rows(
+    qtbot: QtBot, window: MainWindow, count: int, focused: bool
+) -> None:
+    dressed = QMainWindow()
+    qtbot.addWidget(dressed)
+    window.themes.dress(dressed)
+    body, box, other = QWidget(), QComboBox(), QPushButton("other")
+    column = QVBoxLayout(body)
+    column.addWidget(other)
+    column.addWidget(box)
+    dressed.setCentralWidget(body)
+    box.addItems([f"row {row}" for row in range(count)])
+    dressed.resize(300, 200)
+    dressed.show()
+    qtbot.waitExposed(dressed)
+    (box if focused else other).setFocus()
+    qtbot.waitUntil((box if focused else other).hasFocus)
+    box.showPopup()
+    view = box.view()
+    qtbot.waitUntil(view.isVisible)
+    QApplication.processEvents()
+    rows = sum(view.sizeHintForRow(row) for row in range(count))
+    assert view.viewport().height() >= rows
+    assert view.verticalScrollBar().maximum() == 0
+    box.hidePopup()

@@ -65,6 +65,10 @@ class StorageTube:
         self._erasing = -1.0
         self._phosphor = Phosphor.named("P1")
 
+    def continue_from(self, before: "StorageTube") -> None:
+        """Be as old as a tube of another size, and as far in an erasure, so that neither begins anew."""
+        self._since_written, self._erasing = before._since_written, before._erasing
+
     @property
     def erasing(self) -> bool:
         """Whether it is being erased; nothing can be written meanwhile."""

@@ -112,6 +112,20 @@ class VectorTiming:
         return self.jump_start_ps + round(self.jump_ps_per_unit * max(distance - self.knee_units, 0.0))
 
 
+def doubts(timing: VectorTiming) -> str:
+    """What of it is not confirmed, as a person reads it; "" where all is."""
+    titles = {
+        "us_per_unit": _("the time for each unit"),
+        "t0_us": _("the time before the beam moves"),
+        "grid": _("the number of units across"),
+        "full_width_cycles_at_max_velocity": _("the time across the face at full speed"),
+        "speed_units_per_s": _("the speed of a stroke"),
+        "jump_units_per_s": _("the speed of a jump"),
+        "settle_us": _("the time to settle"),
+    }
+    return ", ".join(titles[name] for name in timing.uncertain)
+
+
 def vector_displays() -> tuple[str, ...]:
     """The ids of the displays whose speed is known as a function of distance."""
     return tuple(_table())

@@ -21,6 +21,8 @@ from workbench.exchange.grids import Grid, lay_out_grid
 PAGE_PT = 480.0
 MARGIN_PT = 18.0
 SIZE_PT = 11.0
+WORD_PT = 0.95 * SIZE_PT
+"""The type of the words on a drawing."""
 HEIGHT_PT = 240.0
 BLACK, WHITE = "#000000", "#FFFFFF"
 _HEADING, _SMALL = 1.3, 0.8
@@ -285,7 +287,7 @@ def _word(
     word: marks.Word, place: _Map, typesetter: Typesetter, room: float, height: float
 ) -> list[Primitive]:
     """A label beside its place, kept on the drawing and clear of what it lies on."""
-    box = typesetter.formula(word.text, SIZE_PT * 0.95, word.strong, word.ink)
+    box = typesetter.formula(word.text, WORD_PT, word.strong, word.ink)
     x, y = place.point(word.x, word.y)
     left = x + word.right * _AWAY_PT - box.width * (1 - word.right) / 2
     top = y - word.up * _AWAY_PT - box.height * (1 + word.up) / 2

@@ -8,6 +8,7 @@ from pytestqt.qtbot import QtBot
 
 from tests.panels.by_hand import keep_until_the_end
 from workbench.panels.display.gun.page import GunPage
+from workbench.panels.display.vector.page import PAGE, VectorPage
 from workbench.session.session import Session
 
 
@@ -35,6 +36,18 @@ def gun_page(qtbot: QtBot, session: Session) -> GunPage:
     made = GunPage(session)
     put_on_screen(qtbot, made, 900, 460)
     session.visit("gun", made.usual)
+    session.flush()
+    qtbot.waitUntil(lambda: session.run.done and session.run.entry is not None)
+    made.refresh()
+    return made
+
+
+@pytest.fixture
+def vector_page(qtbot: QtBot, session: Session) -> VectorPage:
+    """The page Random scan, with its run done."""
+    made = VectorPage(session)
+    put_on_screen(qtbot, made, 900, 560)
+    session.visit(PAGE, VectorPage.usual)
     session.flush()
     qtbot.waitUntil(lambda: session.run.done and session.run.entry is not None)
     made.refresh()

@@ -3,6 +3,9 @@
 import re
 
 import pytest
+from hypothesis import HealthCheck, given
+from hypothesis import settings as trying
+from hypothesis import strategies as st
 from PySide6.QtCore import QPoint, Qt
 from pytestqt.qtbot import QtBot
 
@@ -28,6 +31,23 @@ def test_what_is_wrong_is_said_over_the_whole_card_and_the_slider_stays(page: Gu
     after = slid.slider.mapTo(page.cards, QPoint(0, 0)) - slid.number.mapTo(page.cards, QPoint(0, 0))
     assert after == before
     assert said.width() == slid.width()
+
+
+@pytest.mark.parametrize("width", [760, 800, 840, 1000])
+def test_what_is_wrong_is_said_whole_in_cards_of_any_width(page: GunPage, qtbot: QtBot, width: int) -> None:
+    page.resize(width, 520)
+    qtbot.waitUntil(lambda: page.cards.width() > width - 60)
+    beam = page.cards.beam
+    high = beam.fields["anode"].number.field.height()
+    for name, typed in (("anode", "99999"), ("focus", "-3"), ("grid", "abc")):
+        number = beam.fields[name].number
+        number.field.selectAll()
+        qtbot.keyClicks(number.field, typed)
+        qtbot.keyClick(number.field, Qt.Key.Key_Return)
+        said = number.complaint
+        qtbot.waitUntil(said.isVisible)
+        qtbot.waitUntil(lambda said=said: said.height() >= said.heightForWidth(said.width()))
+        assert [field.number.field.height() for field in beam.fields.values()] == [high] * 3
 
 
 def test_cards_ask_from_the_start_for_no_more_room_than_held_inputs_need(session: Session) -> None:
@@ -99,3 +119,49 @@ def test_the_sliders_of_an_input_stand_beside_one_another_on_a_narrow_page(
         qtbot.waitUntil(lambda f=field: f.number.width() >= f.number.minimumSizeHint().width())
         assert field.number.label.width() >= field.number.label.sizeHint().width()
         assert field.number.unit.x() >= field.number.field.geometry().right()
+
+
+@pytest.mark.parametrize(
+    ("settings", "up", "across"),
+    [
+        ({"grid": -60.0}, "No beam: the grid is at its cut-off.", "No beam: the grid is at its cut-off."),
+        (
+            {"grid": -70.0, "coils": True},
+            "No beam: the grid is at its cut-off.",
+            "No beam: the grid is at its cut-off.",
+        ),
+        ({"y_volts": 700.0}, "Caught: beyond 640 V a plate is hit.", "The other plates catch the beam."),
+        ({"x_volts": -700.0}, "The other plates catch the beam.", "Caught: beyond 640 V a plate is hit."),
+        (
+            {"coils": True, "y_field": 9.0},
+            "The coils turn it round: it never gets out.",
+            "The coils turn it round: it never gets out.",
+        ),
+    ],
+)
+def test_where_no_beam_arrives_its_cards_say_why(
+    page: GunPage, settings: dict[str, float], up: str, across: str
+) -> None:
+    page.setting.change(settings)
+    settle(page)
+    for card, why in ((page.cards.up, up), (page.cards.across, across)):
+        assert card.line.text() == f"<b>{why}</b>"
+        assert card.line.heightForWidth(card.line.width()) <= card.line.height()
+
+
+@given(
+    turns=st.lists(st.tuples(st.sampled_from(["brightness", "contrast"]), st.integers(0, 200)), max_size=12)
+)
+@trying(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=25)
+def test_knobs_that_are_turned_back_bring_the_grid_back(page: GunPage, turns: list[tuple[str, int]]) -> None:
+    """However far they went, and however many turns came before the page was shown."""
+    knobs = page.monitor
+    settle(page)
+    places = knobs.brightness.dial.value(), knobs.contrast.dial.value()
+    before = page.setting.gun.grid
+    for name, at in turns:
+        getattr(knobs, name).dial.setValue(at)
+    knobs.brightness.dial.setValue(places[0])
+    knobs.contrast.dial.setValue(places[1])
+    settle(page)
+    assert page.setting.gun.grid == pytest.approx(before, abs=0.03)

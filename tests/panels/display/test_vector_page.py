@@ -8,7 +8,6 @@ from PySide6.QtCore import QPoint, QPointF, QRectF, QSize, Qt
 from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
-from tests.panels.display.conftest import put_on_screen
 from workbench.display.flicker import critical_frequency_hz
 from workbench.display.vector_timing import VectorTiming, vector_displays
 from workbench.document import DocumentError
@@ -16,23 +15,16 @@ from workbench.document.edits import remove_figures
 from workbench.document.subjects import Subject
 from workbench.panels.display.vector.architecture import lit_parts
 from workbench.panels.display.vector.list_model import COLOUR, INTENSITY, X, Y
-from workbench.panels.display.vector.page import PAGE, VectorPage
+from workbench.panels.display.vector.page import VectorPage
 from workbench.rendering.subjects.random_scan import program_for
 from workbench.rendering.subjects.registry import checked
 from workbench.session.session import Session
-from workbench.widgets.look.comfort import comfort
 from workbench.widgets.tube.stroke_view import beside
 
 
 @pytest.fixture
-def page(qtbot: QtBot, session: Session) -> VectorPage:
-    made = VectorPage(session)
-    put_on_screen(qtbot, made, 900, 560)
-    session.visit(PAGE, VectorPage.usual)
-    session.flush()
-    qtbot.waitUntil(lambda: session.run.done and session.run.entry is not None)
-    made.refresh()
-    return made
+def page(vector_page: VectorPage) -> VectorPage:
+    return vector_page
 
 
 def settle(page: VectorPage) -> None:
@@ -267,6 +259,7 @@ def test_every_display_can_be_chosen(page: VectorPage, display: str) -> None:
     assert page._run is not None
     assert page.tube.refresh_hz == pytest.approx(page._run.budget.time.refresh_hz, rel=1e-6)
     assert page.bar.uncertain.isVisible() == bool(VectorTiming.named(display).uncertain)
+    assert "_" not in page.bar.uncertain.toolTip()
 
 
 def test_an_overloaded_list_flickers_and_says_so(page: VectorPage) -> None:
@@ -307,36 +300,6 @@ def test_an_empty_sheet_says_that_its_list_is_empty(page: VectorPage, session: S
     settle(page)
     assert page.table.model.rowCount() == 3
     assert not page.nothing.isVisible()
-
-
-def test_a_storage_tube_keeps_what_was_written(page: VectorPage, session: Session, qtbot: QtBot) -> None:
-    give(page, storage=True)
-    qtbot.waitUntil(lambda: page.storage.tube is not None)
-    settle(page)
-    tube = page.storage.tube
-    assert tube is not None
-    assert tube.stored.any()
-    assert "no flicker" in page.storage_bar.note.text()
-    assert "64 · 40 / 9600 = 0.267 s" in page.sums.text()
-    stored = tube.stored.copy()
-    typed(page, 1, X, "30")
-    assert page.storage.tube is not tube or (tube.stored | ~stored).all()
-    assert page.storage.differs
-    assert "cannot erase a part" in page.storage_bar.note.text()
-    page.storage_bar.part.click()
-    assert "cannot erase one stroke" in page.storage_bar.note.text()
-    assert comfort.calm
-    page.storage_bar.erase.click()
-    assert page.storage_bar.warning.isVisible()
-    assert not page.storage.erasing, "it is asked first"
-    page.storage_bar.dark.click()
-    assert page.storage.erasing
-    qtbot.waitUntil(lambda: not page.storage.erasing, timeout=4000)
-    tube = page.storage.tube
-    assert not tube.stored.any()
-    qtbot.waitUntil(lambda: "not written yet" in page.storage_bar.note.text())
-    page.storage_bar.write.click()
-    assert tube.stored.any()
 
 
 def test_its_tables_and_its_page_can_be_exported(page: VectorPage) -> None:

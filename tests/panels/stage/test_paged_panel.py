@@ -86,6 +86,20 @@ def test_no_title_of_a_page_is_cut_in_a_narrow_window(qtbot: QtBot, session: Ses
     assert all(button.mapTo(panel, button.rect().bottomLeft()).y() < panel.stack.y() for button in buttons)
 
 
+def test_what_was_said_about_a_page_goes_with_it(qtbot: QtBot, session: Session) -> None:
+    rows = [PageRow(slug, slug, "", f"{__name__}:BarePage") for slug in ("first", "second")]
+    panel = PagedPanel(session, "test", rows)
+    qtbot.addWidget(panel)
+    panel.show_page("first")
+    said: list[str] = []
+    panel.said().hover.connect(said.append)
+    panel.hover_text.emit("12 is no colour.")
+    panel.show_page("first")
+    assert said == ["12 is no colour."]
+    panel.show_page("second")
+    assert said == ["12 is no colour.", ""]
+
+
 def test_the_dock_of_the_page_comes_before_those_of_others(qtbot: QtBot, session: Session) -> None:
     rows = [PageRow(slug, slug, "", f"{__name__}:OnePage") for slug in ("first", "second")]
     panel = PagedPanel(session, "test", rows)

@@ -107,6 +107,8 @@ class PagedPanel(PlainPanel, QWidget):
 
     def show_page(self, slug: str = "", *_checked: object) -> None:
         """Show one of the pages, by default the first, and step what was stepped there."""
+        if slug != self.page:
+            self.hover_text.emit("")  # what was said is about the page before
         self.page = slug = slug or self._rows[0].slug
         number = [row.slug for row in self._rows].index(slug)
         page = self._pages[slug]

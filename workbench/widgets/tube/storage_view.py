@@ -143,11 +143,14 @@ class StorageView(QWidget):
         width = min(round(self._glass.width() * self.devicePixelRatioF()), _WIDEST_PX)
         face = face_mm(self._picture)
         size = max(width, 16), max(round(width * face[1] / face[0]), 12)
+        before = self.tube
         self.tube = StorageTube(size, face, spot_mm=max(0.5, 0.7 * face[0] / size[0]))
         self._screen = Screen(size, [rgb for _name, rgb in Phosphor.named("P1").colours])
         if self._written:
             self.tube.write(self._in_mm(self._written))
             self.tube.advance(1.0)
+        if before is not None:
+            self.tube.continue_from(before)
         self._refresh()
 
     def _wake(self) -> None:

@@ -213,7 +213,7 @@ def test_the_sums_follow_the_mode_or_the_numbers_that_are_typed(
     for name, value in (("sum_hz", 60.0), ("sum_width", 3.0), ("sum_height", 2.0), ("sum_v_us", 1e6)):
         page.sums.fields[name].edited.emit(value)
     session.flush()
-    qtbot.waitUntil(lambda: page.sums.sums[0].result == "18 B = 0.01758 KiB")
+    qtbot.waitUntil(lambda: page.sums.sums[0].result == "18 B \N{ALMOST EQUAL TO} 0.01758 KiB")
     faults = [each.title for each in page.sums.sums if each.fault]
     assert faults == [f"{what}, given retraces" for what in ("Line time", "Pixel time", "Share of retrace")]
     assert not any("mode" in each.title for each in page.sums.sums)

@@ -43,16 +43,19 @@ def deflection_line(gun: Gun, way: str, seconds: float | None) -> str:
     end = gun.way(seconds)[-1]
     lands = end[0] >= gun.screen
     place = f"{end[1 if way == 'x' else 2]:.1f}".replace("-", "\u2212")
-    value = _amount(place, "mm") if lands else ""
+    value = _amount(place, "mm")
     name = f"<i>{way}</i>"
+    if gun.beam_current <= 0.0:
+        return _strong(_("No beam: the grid is at its cut-off."))
     if gun.coils:
         if not lands:
             return _strong(_("The coils turn it round: it never gets out."))
         return f"<i>B</i><sub>{way}</sub> = {_short(drive)} mT: {name} = {value}"
     if abs(drive) > gun.limit:
         return _strong(_("Caught: beyond {limit} V a plate is hit.").format(limit=_short(gun.limit)))
+    if not lands:
+        return _strong(_("The other plates catch the beam."))
     reach = gun.reach_x if way == "x" else gun.reach_y
     volts = _short(round(drive, 1))
     above = f"{gun.length:g}·{reach:g}·{f'({volts})' if drive < 0 else volts}"
-    formula = f"{name} = {above} / (2·{gun.gap:g}·{gun.anode:g})"
-    return f"{formula} = {value}" if lands else formula
+    return f"{name} = {above} / (2·{gun.gap:g}·{gun.anode:g}) = {value}"

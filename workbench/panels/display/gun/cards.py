@@ -242,7 +242,8 @@ class GunCards(QWidget):
         self._grid.addWidget(self._switch, 0, 0, 1, len(self._cards))
         for column in range(len(self._cards)):
             self._grid.setColumnStretch(column, _SHARES[column])
-        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        # Not fixed, which would hold it as low as it is where all text has one line
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Minimum)
         for card in (self.beam, self.up, self.across):
             card.edited.connect(self.edited)
         self._lay_out(False)  # with the usual tube, so that they ask for no more room than it needs

@@ -1,5 +1,7 @@
 """The knobs of a monitor as a card: what they do to the grid here, and to the pictures of the page Tubes."""
 
+from dataclasses import replace as with_fields
+
 from msgspec.structs import replace
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import (
@@ -85,6 +87,8 @@ class MonitorCard(QFrame):
         self.setObjectName("card")
         self._session = session
         self._gun = Gun()
+        self._level = 0.0
+        self._driven: tuple[float, Knobs] | None = None
         numbers = numbers_of(TubeSettings)
         self.title = QLabel(_("Monitor"))
         self.title.setProperty("role", "section")
@@ -136,13 +140,19 @@ class MonitorCard(QFrame):
         return Knobs(tube.brightness, tube.contrast)
 
     def _turn(self, **changes: float) -> None:
-        """Set a knob; the grid follows as it would for the level that it has now."""
+        """Set a knob; the grid follows as it would for the level of the signal that it has.
+
+        The level is kept from turn to turn: at the ends of the grid it could not be told from its voltage.
+        """
         gun, before = self._gun, self._knobs
-        level = level_of(gun.grid, before, gun.cut_off) if before.contrast else 0.0
+        if (gun.grid, before) != self._driven:
+            self._level = level_of(gun.grid, before, gun.cut_off) if before.contrast else 0.0
         self._session.update_state(tube=replace(self._session.state.tube, **changes))
-        low = self._session.state.tube
-        after = Knobs(low.brightness, low.contrast)
-        self.edited.emit({"grid": max(round(grid_voltage(level, after, gun.cut_off), 2), -200.0)})
+        after = self._knobs
+        grid = max(round(grid_voltage(self._level, after, gun.cut_off), 2), -200.0)
+        self._driven = grid, after
+        self._gun = with_fields(gun, grid=grid)  # the next turn may come before this is shown
+        self.edited.emit({"grid": grid})
 
     def show_gun(self, gun: Gun) -> None:
         """Show where black and white lie for this gun."""

@@ -18,12 +18,28 @@ from workbench.display.cutaway import (
     window_of,
 )
 from workbench.display.gun import Gun
-from workbench.exchange.diagrams import PAGE_PT, Arrow, Block, Derivation, Drawing, Heading, Item, Sentence
+from workbench.exchange.diagram_svg import PaperMetrics
+from workbench.exchange.diagrams import (
+    PAGE_PT,
+    WORD_PT,
+    Arrow,
+    Block,
+    Derivation,
+    Drawing,
+    Heading,
+    Item,
+    Sentence,
+)
+from workbench.exchange.formulas.layout import Typesetter
 from workbench.exchange.formulas.terms import displayed
 from workbench.language import _
 from workbench.widgets.formulas.paper import paper_inks
 
-_HEIGHT_PT, _LETTER_PT, _LINE_PT = 300.0, 5.4, 13.0
+_HEIGHT_PT, _LINE_PT = 300.0, 13.0
+_WIDEST_FACE = 1.17
+"""A PDF has the face of the system, which can be so much wider than Helvetica."""
+_CLEAR_PT, _HEAD_PT = 1.0, 12.0
+"""Between a length and the arrows beside it, and the least length of these."""
 _PLAIN_INKS: dict[str, tuple[Ink, Weight]] = {
     "glass": ("text", "medium"),
     "pin": ("text", "thin"),
@@ -67,21 +83,27 @@ def _labelled(gun: Gun, scale: float) -> list[Item]:
     if len(line := tangent(gun, way)):
         items.append(Stroke(line, "muted", "hair", "dash"))
     for span in spans(gun):
-        for start, end in ((span.start, span.end), (span.end, span.start)):
-            items.append(Arrow(along(((start + end) / 2.0, span.y), (end, span.y)), "muted"))
-        name = span.name.replace("mm", '"mm"')
-        short = (span.end - span.start) * scale < (len(span.name) + 6) * _LETTER_PT
-        at, side = (span.end, 1) if short else ((span.start + span.end) / 2.0, 0)
-        items.append(Word(name, at, span.y, "text", side))
+        name, middle = span.name.replace("mm", '"mm"'), (span.start + span.end) / 2.0
+        half = (_width(name) / 2.0 + _CLEAR_PT) / scale
+        short = half + _HEAD_PT / scale > (span.end - span.start) / 2.0
+        inner = (middle, middle) if short else (middle - half, middle + half)
+        for start, end in zip(inner, (span.start, span.end), strict=True):
+            items.append(Arrow(along((start, span.y), (end, span.y)), "muted"))
+        items.append(Word(name, span.end if short else middle, span.y, "text", int(short)))
 
     def size_of(label: Label) -> tuple[float, float]:
-        return (len(label.title) * _LETTER_PT + 6.0) / scale, _LINE_PT / scale
+        return (_width(f'"{label.title}"') + 4.0) / scale, _LINE_PT / scale
 
     for placed in place_labels(labels(gun), gun, size_of, 4.0 / scale, window_of(gun)):
         left, low, right, high = placed.box
         items.append(Stroke(np.array(placed.leader), "muted", "hair"))
         items.append(Word(f'"{placed.label.title}"', (left + right) / 2.0, (low + high) / 2.0, "text"))
     return items
+
+
+def _width(words: str) -> float:
+    """The most that a word of a drawing takes, in points."""
+    return _WIDEST_FACE * Typesetter(PaperMetrics()).formula(words, WORD_PT).width
 
 
 def drawing(gun: Gun, labelled: bool) -> Derivation:

@@ -15,7 +15,9 @@ Pixel = tuple[int, int]
 
 @dataclass(frozen=True, slots=True)
 class Numbers:
-    """What the sums are of; times in seconds, the line in bits a second. ``pixel`` is the one addressed."""
+    """What the sums are of; times in seconds, the line in bits a second. ``pixel`` is the one addressed:
+    where the picture has none there, that is its nearest.
+    """
 
     width: int
     height: int
@@ -99,7 +101,7 @@ def text_of(sums: list[Sum]) -> str:
 def _memory(n: Numbers) -> list[Sum]:
     size = of.frame_buffer_bytes(n.width, n.height, n.bits)
     bits = of.frame_buffer_bits(n.width, n.height, n.bits)
-    x, y = n.pixel
+    x, y = min(n.pixel[0], n.width - 1), min(n.pixel[1], n.height - 1)
     address = of.address_of(x, y, n.width)
     byte, bit = of.byte_and_bit(address, n.bits)
     loading = of.loading_s(bits, n.bits_per_second)
@@ -109,7 +111,7 @@ def _memory(n: Numbers) -> list[Sum]:
             _("Frame buffer"),
             "W \u00b7 H \u00b7 b / 8",
             f"{n.width} \u00b7 {n.height} \u00b7 {n.bits} / 8",
-            f"{_number(size)} B = {_short(size / 1024)} KiB",
+            f"{_number(size)} B {_kibibytes(size)}",
         ),
         Sum(_("Colours"), "2^b", f"2^{{{n.bits}}}", f"{of.colour_count(n.bits):,}"),
         Sum(
@@ -259,6 +261,14 @@ def _totals(timing: RasterTiming, bits: int) -> list[Sum]:
 
 def _number(value: Fraction) -> str:
     return f"{value.numerator:,}" if value.denominator == 1 else f"{float(value):,.10g}"
+
+
+def _kibibytes(size: Fraction) -> str:
+    """What so many bytes are in KiB: equal in seven digits at most, or about."""
+    exact = f"{float(size / 1024):,.7g}"
+    if Fraction(exact.replace(",", "")) == size / 1024:
+        return f"= {exact} KiB"
+    return f"\N{ALMOST EQUAL TO} {_short(size / 1024)} KiB"
 
 
 def _short(value: Fraction) -> str:

@@ -37,6 +37,7 @@ from workbench.panels.stage.folding_card import fill_choices
 from workbench.rendering.subjects.raster import NUMBERS, SHEET, TYPED, depth_of
 from workbench.widgets.fields.choice_box import ChoiceBox
 from workbench.widgets.fields.number_field import NumberField
+from workbench.widgets.look.flow_layout import flowing
 from workbench.widgets.look.in_sight import InSight
 from workbench.widgets.look.tips import tell_choice
 from workbench.widgets.look.type_faces import code_font
@@ -84,16 +85,15 @@ class SumsDock(QWidget):
         tell_choice(self.source)
         self.source.activated.connect(lambda row: self._choose(self.source.itemData(row)))
         self.fields: dict[str, NumberField] = {}
-        grid = QGridLayout()
-        grid.setHorizontalSpacing(12)
-        grid.setVerticalSpacing(4)
-        for place, name in enumerate((*_FIELDS, _LINE)):
+        numbers = QWidget()
+        flow = flowing(numbers, across=12, down=4)
+        for name in (*_FIELDS, _LINE):
             number = NUMBERS[name]
             field = self.fields[name] = number_field(number, number.label.capitalize())
             give = partial(self._give, name)
             field.edited.connect(give)
             field.scrubbed.connect(give)
-            grid.addWidget(field, place // 2, place % 2)
+            flow.addWidget(field)
         self.fault = QLabel()
         self.fault.setProperty("role", "error")
         self.fault.setWordWrap(True)
@@ -106,7 +106,7 @@ class SumsDock(QWidget):
         column.setContentsMargins(10, 8, 10, 8)
         column.setSpacing(8)
         column.addWidget(self.source)
-        column.addLayout(grid)
+        column.addWidget(numbers)
         column.addWidget(self.fault)
         column.addLayout(self.rows)
         column.addStretch(1)

@@ -13,7 +13,7 @@ from PySide6.QtWidgets import (
 
 from workbench.display import VectorTiming, vector_displays
 from workbench.display.setup import phosphor_choices
-from workbench.display.vector_timing import TEACHING
+from workbench.display.vector_timing import TEACHING, doubts
 from workbench.document.subjects import Argument
 from workbench.language import _
 from workbench.panels.display.controls import phosphor_title
@@ -130,7 +130,7 @@ class VectorBar(QWidget):
         self.uncertain.setText(_("uncertain") if timing.uncertain else "")
         told = [timing.note]
         if timing.uncertain:
-            told.insert(0, _("Not confirmed in a source: {names}.").format(names=", ".join(timing.uncertain)))
+            told.insert(0, _("Not confirmed in a source: {names}.").format(names=doubts(timing)))
         self.uncertain.setToolTip(" ".join(told))
         self.uncertain.setVisible(bool(timing.uncertain))
         own = name == TEACHING

@@ -1,11 +1,12 @@
 """What can be done with a storage tube: write, write through, erase all; a part cannot be erased."""
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QCheckBox, QGridLayout, QHBoxLayout, QLabel, QPushButton, QSizePolicy, QWidget
+from PySide6.QtWidgets import QCheckBox, QLabel, QPushButton, QSizePolicy, QVBoxLayout, QWidget
 
 from workbench.display.storage_tube import ERASE_S
 from workbench.language import _
 from workbench.widgets.look.comfort import comfort
+from workbench.widgets.look.flow_layout import flowing
 from workbench.widgets.tube.storage_view import StorageView
 
 
@@ -37,17 +38,16 @@ class StorageBar(QWidget):
         self.note.setProperty("role", "muted")
         self.note.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Maximum)
-        row = QHBoxLayout()
-        row.setSpacing(6)
+        buttons = QWidget()
+        row = flowing(buttons, across=6, down=2)
         for part in (self.write, self.through, self.erase, self.part, self.warning, self.flash, self.dark):
             part.setAccessibleName(part.text())
             row.addWidget(part)
-        row.addStretch(1)
-        grid = QGridLayout(self)
-        grid.setContentsMargins(4, 0, 4, 0)
-        grid.setSpacing(2)
-        grid.addLayout(row, 0, 0)
-        grid.addWidget(self.note, 1, 0)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(4, 0, 4, 0)
+        column.setSpacing(2)
+        column.addWidget(self.note)
+        column.addWidget(buttons)  # below the note, so that they stay where they are when it is longer
         self.write.clicked.connect(self._write)
         self.through.toggled.connect(view.set_write_through)
         self.erase.clicked.connect(self._ask)
