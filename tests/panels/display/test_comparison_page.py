@@ -28,7 +28,9 @@ from workbench.rendering.scene import backdrop
 from workbench.rendering.subjects import raster
 from workbench.rendering.subjects.comparison import lens_of
 from workbench.session.session import Session
+from workbench.shell.style_sheet import style_sheet
 from workbench.widgets.formulas.paper import write_pdf
+from workbench.widgets.look.tokens import LIGHT
 
 EXAMPLE = "raster-or-random"
 
@@ -294,3 +296,9 @@ def test_the_names_of_the_features_are_whole(page: ComparisonPage, qtbot: QtBot)
     qtbot.waitUntil(lambda: table.rowCount() > 0 and table.columnWidth(0) >= table.sizeHintForColumn(0))
     rows = range(table.rowCount())
     qtbot.waitUntil(lambda: all(table.rowHeight(row) >= table.sizeHintForRow(row) for row in rows))
+
+
+def test_the_display_that_is_chosen_is_named_whole(page: ComparisonPage) -> None:
+    page.setStyleSheet(style_sheet(LIGHT))
+    QApplication.processEvents()
+    assert page.bar.display.words_seen() == page.bar.display.currentText() == "Free vector display"
