@@ -5,7 +5,17 @@ import re
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
-from PySide6.QtWidgets import QApplication, QComboBox, QMainWindow, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QApplication,
+    QComboBox,
+    QLineEdit,
+    QMainWindow,
+    QPushButton,
+    QStyle,
+    QStyleOptionComboBox,
+    QVBoxLayout,
+    QWidget,
+)
 from pytestqt.qtbot import QtBot
 
 from workbench.paths import resource
@@ -171,3 +181,26 @@ def test_a_list_to_choose_from_opens_with_all_its_rows(
     assert view.viewport().height() >= rows
     assert view.verticalScrollBar().maximum() == 0
     box.hidePopup()
+
+
+@THEMES
+def test_the_focus_leaves_the_words_of_a_choice_their_room(qtbot: QtBot, chosen: Tokens) -> None:
+    """And the room that a box asks for is enough for them, up to the arrow."""
+    page = QWidget()
+    page.setStyleSheet(style_sheet(chosen))
+    box, other = QComboBox(page), QLineEdit(page)
+    box.addItem("Free vector display")
+    box.resize(box.sizeHint())
+    qtbot.addWidget(page)
+    page.show()
+    for focused in (other, box):
+        focused.setFocus()
+        qtbot.waitUntil(focused.hasFocus)
+        option = QStyleOptionComboBox()
+        box.initStyleOption(option)
+        words, arrow = (
+            box.style().subControlRect(QStyle.ComplexControl.CC_ComboBox, option, part, box)
+            for part in (QStyle.SubControl.SC_ComboBoxEditField, QStyle.SubControl.SC_ComboBoxArrow)
+        )
+        assert words.width() >= box.fontMetrics().horizontalAdvance(box.currentText())
+        assert 0 < arrow.left() - words.right() <= 8

@@ -3,6 +3,7 @@
 import pytest
 from pytestqt.qtbot import QtBot
 
+from tests.shell.keys.focus import settle
 from workbench.shell.window import MainWindow
 
 
@@ -17,6 +18,28 @@ def test_a_view_alone_that_is_closed_leaves_no_empty_window(qtbot: QtBot, window
     assert panel.isVisibleTo(window)
     assert not window.top.isHidden()
     assert dock.isHidden()
+
+
+@pytest.mark.parametrize("swapped", [False, True])
+def test_a_dock_alone_has_the_whole_width_of_the_window(window: MainWindow, swapped: bool) -> None:
+    window.go("draw")
+    area = window.arrangements.area("draw")
+    assert area is not None
+    if swapped:
+        window.views.swap()
+        window.panels("draw")[0].center.setFocus()
+    else:
+        area.bring_forward("source")
+        area.dock("source").widget().setFocus()
+    settle()
+    window.views.toggle_alone()
+    settle()
+    (dock,) = (dock for dock in area.docks if dock.isVisible())
+    assert dock.width() == area.width() == window.width()
+    before = area.halves
+    window.views.toggle_alone()
+    settle()
+    assert before.isVisible()
 
 
 @pytest.mark.parametrize("command", ["swap", "read"])

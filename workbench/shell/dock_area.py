@@ -47,7 +47,7 @@ _TABS_PX = 30
 class DockArea(QMainWindow):
     """A workspace's area. ``parts``: name, title, widget and side of each dock; those named in ``lower``
     begin in the lower half of the right side. Widgets that another area shows stay there until ``gather``.
-    ``host`` is what the middle is in.
+    ``host`` is what the middle is in, ``halves`` the room that it has beside the docks.
     """
 
     def __init__(self, middle: QWidget, parts: Sequence[DockPart], lower: Sequence[str]) -> None:
@@ -69,9 +69,9 @@ class DockArea(QMainWindow):
         self.host = QWidget()
         column = QVBoxLayout(self.host)
         column.setContentsMargins(0, 0, 0, 0)
-        self._halves = QSplitter()
-        self._halves.addWidget(self.host)
-        self.setCentralWidget(self._halves)
+        self.halves = QSplitter()
+        self.halves.addWidget(self.host)
+        self.setCentralWidget(self.halves)
         self._place = self.host if inner is None else inner
         if inner is not None:
             column.addWidget(middle)
@@ -165,7 +165,7 @@ class DockArea(QMainWindow):
 
     def stop_reading(self) -> None:
         """Take back from the page what it shows, once this area is on the screen again."""
-        self._halves.addWidget(self.host)
+        self.halves.addWidget(self.host)
         self.host.show()
         self.gather()
         self.bring_to_front(self._rooms_to_read)

@@ -181,7 +181,7 @@ class Exports(QObject):
             if panel.exporter is not None:
                 return panel.exporter
         self._window.say_status(
-            _("First go to Draw, Fill, Clip, Transform, View or Curves, where steps are shown.")
+            _("A step is exported with its canvas: go to Draw, Fill, Clip, Transform, View or Curves.")
         )
         return None
 

@@ -75,7 +75,7 @@ class Views(QObject):
         hidden: list[QWidget] = [window.top, window.statusBar()]
         hidden += [dock for dock in docks if dock is not kept and not dock.isHidden()]
         if kept is not None and area is not None:
-            hidden.append(area.host)
+            hidden.append(area.halves)
         if area is not None:
             self._in_front = area.in_front()
         self._hidden, self._maximised = hidden, window.isMaximized()

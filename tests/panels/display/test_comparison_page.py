@@ -1,11 +1,13 @@
 """The page Raster or random as a person uses it: one glass over both tubes, areas, numbers, the answer."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from PySide6.QtCore import QEvent, QPointF, Qt
-from PySide6.QtGui import QMouseEvent
+from PySide6.QtGui import QFontMetrics, QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
@@ -17,14 +19,18 @@ from workbench.display.setup import mm_of
 from workbench.document.subjects import Subject
 from workbench.exchange.diagrams import Drawing
 from workbench.panels.display.comparison.derivation import _buffer, _random
+from workbench.panels.display.comparison.facts import Facts, features
 from workbench.panels.display.comparison.page import PAGE, ComparisonPage
 from workbench.panels.shared import lighting
+from workbench.rendering.display_program import DisplayProgram
 from workbench.rendering.hatching import filled_pixels, hatched
 from workbench.rendering.scene import backdrop
 from workbench.rendering.subjects import raster
 from workbench.rendering.subjects.comparison import lens_of
 from workbench.session.session import Session
+from workbench.shell.style_sheet import style_sheet
 from workbench.widgets.formulas.paper import write_pdf
+from workbench.widgets.look.tokens import LIGHT
 
 EXAMPLE = "raster-or-random"
 
@@ -119,6 +125,79 @@ def test_the_numbers_of_the_table_are_those_of_the_picture(page: ComparisonPage)
     assert page.table.rowCount() == len(table.rows)
     page.table.setCurrentCell(1, 0)
     assert page.note.text() == rows["Memory"][3]
+
+
+def test_one_of_a_kind_and_none_are_said_as_such(page: ComparisonPage, session: Session) -> None:
+    facts = page.facts
+    assert facts is not None
+    one = facts._replace(filled=1, hatches=1, stairs=1, program=_first_line(facts))
+    words = {row.name: (row.raster, row.random) for row in features(one)}
+    assert words["Beam"][1] == "from end to end of 1 stroke, and nowhere else"
+    assert words["Smoothness"][0].startswith("staircase: 1 stair in")
+    assert words["Areas, realism"][0].startswith("1 pixel filled;")
+    assert words["Areas, realism"][1].endswith("1 stroke of hatching")
+    words = {row.name: (row.raster, row.random) for row in features(facts._replace(filled=0, stairs=0))}
+    assert words["Areas, realism"][0].startswith("nothing is filled here;")
+    assert words["Smoothness"][0] == "no stairs: no line here is slanted"
+
+
+def _first_line(facts: Facts) -> DisplayProgram:
+    """The list of the first line alone."""
+    program = facts.program
+    return replace(program, strokes=program.strokes.cut(1))
+
+
+def test_the_mark_on_the_plot_asks_how_often_so_many_lines_are_drawn(page: ComparisonPage) -> None:
+    facts = page.facts
+    assert facts is not None
+    lines = 3 * facts.as_long_as_raster
+    page.plot.lines_wanted.emit(lines)
+    said = page.plot.accessibleDescription()
+    assert said.startswith(f"{lines:,} lines: 2")  # a third of 60 Hz, and a little
+    page.bar.give(hatch=0)
+    settle(page)
+    assert page.plot._lines == len(page.facts.program.strokes)
+
+
+def test_stepped_the_glass_shows_no_more_than_the_tubes(page: ComparisonPage, session: Session) -> None:
+    page.bar.give(x=31.0, y=20.0)
+    settle(page)
+    whole = [lens.grab().toImage() for lens in page.lenses]
+    session.run.go_to_step(1)
+    settle(page)
+    assert not page.raster._image.any()
+    for lens, before in zip(page.lenses, whole, strict=True):
+        now = lens.grab().toImage()
+        assert now != before
+        middle = now.pixelColor(now.width() // 2, now.height() // 2)
+        assert middle.lightness() < 40
+
+
+@pytest.mark.parametrize("all_rows", [False, True])
+def test_the_comparison_is_copied_as_a_table(page: ComparisonPage, all_rows: bool) -> None:
+    assert page.facts is not None
+    page.table.setCurrentCell(2, 1)
+    page.table.actions()[0].trigger() if all_rows else page.table.copy()
+    lines = QApplication.clipboard().text().rstrip().splitlines()
+    assert len(lines) == 1 + (8 if all_rows else 1)
+    assert lines[0].split("\t")[1:] == ["Raster scan", "Random scan"]
+    assert any("16.7 ms, 60 Hz" in line for line in lines)
+
+
+@pytest.mark.parametrize("width", [290, 460])
+def test_a_narrow_table_leaves_its_words_room(qtbot: QtBot, page: ComparisonPage, width: int) -> None:
+    """No word is cut, and the two columns have the most of the width."""
+    table = page.table
+    put_on_screen(qtbot, table, width, 300)
+    QApplication.processEvents()
+    first, *columns = (table.columnWidth(column) for column in range(3))
+    assert first <= max(0.36 * width, 92)
+    for row in range(table.rowCount()):
+        for column, room in enumerate((first, *columns)):
+            item = table.item(row, column)
+            assert item is not None
+            longest = max(item.text().split(), key=len)
+            assert QFontMetrics(item.font()).horizontalAdvance(longest) <= room
 
 
 def test_stairs_are_counted_as_the_raster_has_them(page: ComparisonPage, session: Session) -> None:
@@ -218,3 +297,9 @@ def test_the_names_of_the_features_are_whole(page: ComparisonPage, qtbot: QtBot)
     qtbot.waitUntil(lambda: table.rowCount() > 0 and table.columnWidth(0) >= table.sizeHintForColumn(0))
     rows = range(table.rowCount())
     qtbot.waitUntil(lambda: all(table.rowHeight(row) >= table.sizeHintForRow(row) for row in rows))
+
+
+def test_the_display_that_is_chosen_is_named_whole(page: ComparisonPage) -> None:
+    page.setStyleSheet(style_sheet(LIGHT))
+    QApplication.processEvents()
+    assert page.bar.display.words_seen() == page.bar.display.currentText() == "Free vector display"

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtWidgets import QAbstractButton, QComboBox
+from PySide6.QtWidgets import QAbstractButton, QApplication, QComboBox
 from pytestqt.qtbot import QtBot
 from scipy.optimize import brentq
 
@@ -17,6 +17,7 @@ from workbench.exchange.diagrams import Heading, Sentence
 from workbench.panels.display.flicker.figures import column_at, moved_picture
 from workbench.panels.display.flicker.measures import verdict
 from workbench.panels.display.flicker.page import FlickerPage
+from workbench.panels.display.flicker.phosphor_table import PhosphorTable
 from workbench.session.session import Session
 from workbench.widgets.look.comfort import comfort
 
@@ -255,4 +256,23 @@ def test_map_and_verdict_give_one_fusion_frequency_at_any_rate(name: str) -> Non
         said = verdict(phosphor, rate, 100.0)
         assert f"fuses from {of_map:.1f} Hz" in said
         assert ("flickers" in said) == (rate < of_map)
-        assert f"from {of_map:.0f} Hz" in FlickerPage._where(phosphor, rate, 100.0)
+        assert f"from {of_map:.1f} Hz" in FlickerPage._where(phosphor, rate, 100.0)
+
+
+def test_a_rate_just_below_fusion_is_not_said_to_be_that_rate() -> None:
+    """P4 at 100 cd/m² fuses from 60.2 Hz."""
+    said = FlickerPage._where(Phosphor.named("P4"), 60.0, 100.0)
+    assert said == "flickers: 60 Hz, fuses from 60.2 Hz"
+
+
+@pytest.mark.parametrize("name", ["P1", "P7", "P31", "P45"])
+def test_the_phosphor_on_the_tube_is_in_sight_in_its_table(qtbot: QtBot, name: str) -> None:
+    """Also where the note beneath is longer than the one before, and where the dock is made lower."""
+    table = PhosphorTable()
+    put_on_screen(qtbot, table, 290, 250)
+    for height in (250, 190):
+        table.resize(290, height)
+        table.mark(name)
+        QApplication.processEvents()
+        view = table.view
+        assert view.viewport().rect().contains(view.visualRect(view.currentIndex()).center())

@@ -101,3 +101,11 @@ def test_the_ending_follows_the_kind_that_is_chosen(qtbot: QtBot, window: MainWi
     assert type_name(qtbot, window, "mine") == []
     written(qtbot, window)
     assert (tmp_path / "mine.pdf").read_bytes().startswith(b"%PDF-")
+
+
+@pytest.mark.parametrize("place", ["display", "space"])
+def test_a_page_without_canvas_says_where_its_step_can_be_exported(window: MainWindow, place: str) -> None:
+    window.go(place)
+    trigger(window, "export_step")
+    said = window.status.hover.text()
+    assert said == "A step is exported with its canvas: go to Draw, Fill, Clip, Transform, View or Curves."

@@ -69,3 +69,12 @@ def test_on_a_low_page_the_strip_scrolls(qtbot: QtBot) -> None:
     assert area.height() == 70
     area.fit(120, 100)
     assert area.height() == 30
+
+
+def test_less_than_half_a_row_is_not_scrolled(qtbot: QtBot) -> None:
+    area = FlowArea(strip([100, 100, 100]), most=0.3)
+    qtbot.addWidget(area)
+    area.show()
+    for page_height, height in ((230, 70), (200, 70), (190, 57)):
+        area.fit(120, page_height)
+        assert area.height() == height

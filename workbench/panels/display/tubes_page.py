@@ -148,7 +148,7 @@ class TubesPage(PlainPage, QWidget):
             return ""
         fusion = 1.0 / longest_steady_s(tuple(tube.driver.tube.guns))
         words = _("flickers") if tube.refresh_hz < fusion else _("steady")
-        said = _("{words}: {rate:.3g} Hz, fuses from {fusion:.0f} Hz").format(
+        said = _("{words}: {rate:.3g} Hz, fuses from {fusion:.1f} Hz").format(
             words=words, rate=tube.refresh_hz, fusion=fusion
         )
         held = comfort.calm and tube.refresh_hz < fusion

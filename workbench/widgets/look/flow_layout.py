@@ -108,6 +108,9 @@ def flowing(widget: QWidget, across: int = 16, down: int = 6) -> FlowLayout:
     return layout
 
 
+_SPARE_PX = 12  # less than half a row is not worth a scroll bar
+
+
 class FlowArea(QScrollArea):
     """A strip that flows, as high as its rows; on a low page it takes a part of the height, and scrolls."""
 
@@ -124,7 +127,7 @@ class FlowArea(QScrollArea):
     def fit(self, width: int, page_height: int) -> None:
         """Take the height that the strip needs in so much width, on a page so high."""
         needed, most = self._strip.heightForWidth(width), int(self._most * page_height)
-        scrolls = needed > most
+        scrolls = needed > most + _SPARE_PX
         policy = Qt.ScrollBarPolicy
         # Asked for its height beside the bar, a strip that had one would keep it
         self.setVerticalScrollBarPolicy(policy.ScrollBarAsNeeded if scrolls else policy.ScrollBarAlwaysOff)

@@ -40,14 +40,19 @@ class RowsTable(QTableView):
         return super().event(event)
 
 
+def chosen_part(view: QTableView) -> Table:
+    """The selected rows under their headings as they are read, or with none selected all."""
+    model, across = view.model(), Qt.Orientation.Horizontal
+    columns = range(model.columnCount())
+    headings = tuple(str(model.headerData(column, across) or "") for column in columns)
+    rows = chosen_rows(view) or range(model.rowCount())
+    cells = [tuple(model.index(row, column).data() for column in columns) for row in rows]
+    return Table(headings, cells, formulas=False)
+
+
 class CopiedTable(RowsTable):
     """Is copied as it is read."""
 
     def copy(self) -> None:
         """Put the selected rows on the clipboard with the headings, or with none selected all."""
-        model, across = self.model(), Qt.Orientation.Horizontal
-        columns = range(model.columnCount())
-        headings = tuple(str(model.headerData(column, across) or "") for column in columns)
-        rows = chosen_rows(self) or range(model.rowCount())
-        cells = [tuple(model.index(row, column).data() for column in columns) for row in rows]
-        put_on_clipboard(Table(headings, cells, formulas=False))
+        put_on_clipboard(chosen_part(self))

@@ -33,7 +33,7 @@ class ComparisonBar(QWidget):
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._session = session
-        self.display = ChoiceBox(11)
+        self.display = ChoiceBox(13)
         self.display.setAccessibleName(_("Display"))
         self.display.setToolTip(_("Whose beam draws the strokes: how fast it draws, jumps and settles"))
         tell_choice(self.display)

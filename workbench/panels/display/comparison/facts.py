@@ -13,7 +13,7 @@ from workbench.display.timings import RasterTiming
 from workbench.display.vector_timing import VectorTiming
 from workbench.document.model import Sheet
 from workbench.document.subjects import Subject
-from workbench.language import _
+from workbench.language import _, ngettext
 from workbench.rendering.display_program import DisplayProgram, Strokes
 from workbench.rendering.hatching import filled_pixels, hatched
 from workbench.rendering.scene.backdrop import whole_picture
@@ -107,7 +107,11 @@ def features(facts: Facts) -> list[Feature]:
         Feature(
             _("Beam"),
             _("row by row over the whole screen, {lines} lines, whatever the picture").format(lines=height),
-            _("from end to end of {n:,} strokes, and nowhere else").format(n=len(facts.program.strokes)),
+            ngettext(
+                "from end to end of {n:,} stroke, and nowhere else",
+                "from end to end of {n:,} strokes, and nowhere else",
+                len(facts.program.strokes),
+            ).format(n=len(facts.program.strokes)),
             _("Both begin anew before the phosphor has faded: refresh."),
         ),
         Feature(
@@ -146,18 +150,30 @@ def features(facts: Facts) -> list[Feature]:
         ),
         Feature(
             _("Smoothness"),
-            _("staircase: {n:,} stairs in the slanted lines, each off by up to half a pixel").format(
-                n=facts.stairs
-            ),
+            ngettext(
+                "staircase: {n:,} stair in the slanted lines, off by up to half a pixel",
+                "staircase: {n:,} stairs in the slanted lines, each off by up to half a pixel",
+                facts.stairs,
+            ).format(n=facts.stairs)
+            if facts.stairs
+            else _("no stairs: no line here is slanted"),
             _("straight from end to end, without a stair"),
             _("Antialiasing hides the stairs of a raster, at the price of sharpness."),
         ),
         Feature(
             _("Areas, realism"),
-            _("{n:,} pixels filled; any colour in each of them, so shading and photographs").format(
-                n=facts.filled
-            ),
-            _("no areas: outlines, or {n:,} strokes of hatching").format(n=facts.hatches)
+            ngettext(
+                "{n:,} pixel filled; any colour in each, so shading and photographs",
+                "{n:,} pixels filled; any colour in each, so shading and photographs",
+                facts.filled,
+            ).format(n=facts.filled)
+            if facts.filled
+            else _("nothing is filled here; any colour in each pixel, so shading and photographs"),
+            ngettext(
+                "no areas: outlines, or {n:,} stroke of hatching",
+                "no areas: outlines, or {n:,} strokes of hatching",
+                facts.hatches,
+            ).format(n=facts.hatches)
             if facts.hatches
             else _("no areas: outlines only"),
             _("To fill by strokes takes a stroke for each row, and the list flickers."),

@@ -18,7 +18,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
 
 from workbench.algorithms.scanning.random_scan import random_scan as text
-from workbench.display.magnified import magnified_raster, magnified_vector
+from workbench.display.magnified import Pixels, magnified_raster, magnified_vector
 from workbench.display.setup import TubeSetup, too_many_pixels
 from workbench.document.model import Sheet
 from workbench.document.subjects import Subject
@@ -32,6 +32,7 @@ from workbench.panels.panel import DockPart, KeysWhileSeen, Said
 from workbench.panels.shared.lighting import Lighting
 from workbench.panels.shared.tube_feed import setup_of
 from workbench.panels.stage.plain_page import PlainPage
+from workbench.rendering.display_program import Strokes
 from workbench.rendering.subjects.comparison import (
     KIND,
     compared,
@@ -51,7 +52,7 @@ from workbench.widgets.tube.view import TubeView
 
 PAGE = "comparison"
 _NOTHING = np.zeros((3, 4), np.uint32)
-_PLOT_PX, _LOW_PX = 140, 420
+_PLOT_PX, _LOW_PX = 140, 400
 
 
 class ComparisonPage(PlainPage, QWidget):
@@ -84,6 +85,7 @@ class ComparisonPage(PlainPage, QWidget):
         self.note.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self.plot = RefreshPlot()
         self.plot.setFixedHeight(_PLOT_PX)
+        self.plot.setToolTip(_("Drag the mark: how often a second a list of so many lines is drawn."))
         self.table = FeatureTable(
             _("Raster and random scan"), _("Choose a row to read what has to be added to it")
         )
@@ -139,6 +141,7 @@ class ComparisonPage(PlainPage, QWidget):
             view.installEventFilter(self)
             view.sight.changed.connect(self.refresh_soon)
         self.table.currentCellChanged.connect(lambda *_cells: self._tell())
+        self.plot.lines_wanted.connect(lambda lines: self._show_rate(lines))
 
     # What Display asks of a page
 
@@ -209,11 +212,18 @@ class ComparisonPage(PlainPage, QWidget):
         self.table.show_rows(
             headings, [(row.name, row.raster, row.random) for row in rows], [row.but for row in rows]
         )
+        self._show_rate(len(facts.program.strokes))
+
+    def _show_rate(self, lines: int) -> None:
+        """The plot with so many lines marked: those of the picture, until another number is asked for."""
+        facts = self.facts
+        if facts is None:
+            return
         curve = RefreshCurve(
             facts.line.total_ps * 1e-12, shortest_ps_of(self.session.state.subject) * 1e-12,
             facts.fusion_hz, facts.most, float(facts.raster.refresh_hz),
         )  # fmt: skip
-        self.plot.show_curve(curve, len(facts.program.strokes), MOST_LINES)
+        self.plot.show_curve(curve, lines, MOST_LINES)
 
     @property
     def _sheet(self) -> Sheet:
@@ -235,13 +245,9 @@ class ComparisonPage(PlainPage, QWidget):
         facts = self.facts
         if facts is None:
             return
-        address, done_s = self._position(facts)
+        address, _done_s = self._position(facts)
         if self._may_take(self.raster, (facts, address, self._setup)):
-            image = self._image
-            if address >= 0:
-                scanned = min(int(done_s / float(facts.raster.line_s)), len(image))
-                image = image.copy()
-                image[: len(image) - scanned] = 0
+            image, _strokes = self._drawn(facts)
             self.raster.set_image(image)
         self._drawing.start()
 
@@ -253,9 +259,8 @@ class ComparisonPage(PlainPage, QWidget):
         address, _done_s = self._position(facts)
         self.vector.set_trace(Trace.at(facts.program, address) if address >= 0 else None)
         if self._may_take(self.vector, (facts, address, self._setup)):
-            strokes = facts.program.strokes
-            drawn = strokes.cut(facts.program.drawn_by(address)) if address >= 0 else strokes
-            self.vector.set_strokes(drawn.for_tube(), facts.size)
+            _image, strokes = self._drawn(facts)
+            self.vector.set_strokes(strokes.for_tube(), facts.size)
         self._resting.start()
 
     def _may_take(self, view: TubeView, fed: tuple[object, ...]) -> bool:
@@ -268,6 +273,15 @@ class ComparisonPage(PlainPage, QWidget):
         view.set_paused(settings.paused)
         new, self._fed[view] = self._fed.get(view) != fed, fed
         return new
+
+    def _drawn(self, facts: Facts) -> tuple[Pixels, Strokes]:
+        """What either beam has drawn by the step: rows of the picture, and strokes of the list."""
+        address, done_s = self._position(facts)
+        if address < 0:
+            return self._image, facts.program.strokes
+        image = self._image.copy()
+        image[: len(image) - min(int(done_s / float(facts.raster.line_s)), len(image))] = 0
+        return image, facts.program.strokes.cut(facts.program.drawn_by(address))
 
     def _position(self, facts: Facts) -> tuple[int, float]:
         """The address that was run last, and the seconds since the frame began; -1 where none was."""
@@ -287,13 +301,13 @@ class ComparisonPage(PlainPage, QWidget):
         sheet, subject = self._sheet, self.session.state.subject
         place, power = lens_of(sheet, subject), number_of(subject, "power")
         of_raster, of_vector = self.lenses
+        image, strokes = self._drawn(facts)
         of_raster.show_part(
-            magnified_raster(self._image, self._setup, place, power, of_raster.size_px),
+            magnified_raster(image, self._setup, place, power, of_raster.size_px),
             self.raster.position(*place),
         )
-        strokes = facts.program.strokes.for_tube()
         of_vector.show_part(
-            magnified_vector(strokes, self._setup, facts.size, place, power, of_vector.size_px),
+            magnified_vector(strokes.for_tube(), self._setup, facts.size, place, power, of_vector.size_px),
             self.vector.position(*place),
         )
 

@@ -86,9 +86,9 @@ def verdict(phosphor: Phosphor, refresh_hz: float, cd_m2: float) -> str:
     else:
         said = _("At {cd:g} cd/m\N{SUPERSCRIPT TWO} it fuses from {fusion:.1f} Hz: {rate:.4g} Hz is steady.")
     if smears(phosphor):
-        trail = _("{share:.2g} % of the light comes after {ms:g} ms: what moves smears.")
+        trail = _("{share:.2g}\N{NO-BREAK SPACE}% of the light comes after {ms:g} ms: what moves smears.")
     else:
-        trail = _("{share:.2g} % of the light comes after {ms:g} ms: no trail is seen.")
+        trail = _("{share:.2g}\N{NO-BREAK SPACE}% of the light comes after {ms:g} ms: no trail is seen.")
     later = 100.0 * share_later(phosphor, EYE_S)
     seen = said.format(cd=cd_m2, fusion=fusion, rate=refresh_hz)
     return f"{seen} {trail.format(share=later, ms=1e3 * EYE_S)}"

@@ -218,7 +218,7 @@ class FlickerPage(PlainPage, QWidget):
     def _where(phosphor: Phosphor, refresh_hz: float, luminance: float) -> str:
         fusion = fusion_hz(phosphor, luminance)
         words = _("flickers") if refresh_hz < fusion else _("steady")
-        return _("{words}: {rate:.4g} Hz, fuses from {fusion:.0f} Hz").format(
+        return _("{words}: {rate:.4g} Hz, fuses from {fusion:.1f} Hz").format(
             words=words, rate=refresh_hz, fusion=fusion
         )
 

@@ -62,6 +62,8 @@ class PhosphorTable(QWidget):
         self.view.verticalHeader().setDefaultSectionSize(22)
         self.view.setSelectionBehavior(QTableView.SelectionBehavior.SelectRows)
         FittedColumns(self.view)
+        # A longer note beneath takes room from the rows
+        self.view.verticalScrollBar().rangeChanged.connect(lambda *_range: self._see())
         self.view.activated.connect(lambda index: self.chosen.emit(self.table.rows[index.row()][0]))
         self.note = QLabel()
         self.note.setWordWrap(True)
@@ -81,3 +83,7 @@ class PhosphorTable(QWidget):
         phosphor = Phosphor.named(name)
         said = [f"{name}: {source_text(phosphor.decay_source)}", phosphor.note]
         self.note.setText(" ".join(filter(None, said)))
+
+    def _see(self) -> None:
+        """Keep the marked row in sight."""
+        self.view.scrollTo(self.view.currentIndex())
