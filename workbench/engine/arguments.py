@@ -166,6 +166,8 @@ class Painter:
 
 
 def _formed(name: str, kind: Kind | None, value: Any, copied: bool) -> Any:
+    if kind is None and value is None:
+        return None  # the text goes without, and is compiled so
     try:
         if kind is None:
             kind = _kind_of(value)

@@ -1,17 +1,20 @@
-"""Gouraud shading in colour, fast: the depth buffer finds the triangle of each pixel, which then is lit."""
+"""Gouraud shading in colour, fast: the depth buffer keeps the light of each pixel, coded at the end."""
 
-from functools import cache
+import math
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
 
-from workbench.algorithms.shading.light_planes import light_planes, spread_light
+from workbench.algorithms.shading.coded_light import coded_light
+from workbench.algorithms.visibility.depth_tiles import depth_buffer_tiles
+from workbench.algorithms.visibility.packed_light import FIELD, MARGIN, STEPS
 from workbench.display.exposure import srgb_encoded
-from workbench.engine.stopping import Stop
-from workbench.rendering.triangles import drawn, in_bands
+from workbench.engine.compiled import Stop, paint
+from workbench.rendering.triangles import FARTHEST, bands_for, in_bands
 
-LEVELS = 1 << 14
-"""Light is coded for the screen by a table with so many entries."""
+BITS = 14
+"""So many bits of light from 0 to 1 tell what the screen is sent."""
 
 
 def gouraud_drawn(
@@ -23,31 +26,33 @@ def gouraud_drawn(
 ) -> tuple[NDArray[np.uint32], NDArray[np.float64]]:
     """Triangles whose light is linear between their corners; at each pixel the nearest wins.
 
-    Each channel is that of ``gouraud``, coded for the screen, to one step of 255.
+    Each channel is that of ``gouraud``, coded for the screen, to one step of 255 for light up to 4.
 
     Args: vertices (n, 3), x and y in pixels, z 0 to 1; faces (m, 3); lights (n, 3): linear red, green and
-    blue of each vertex; size (width, height). Returns: the picture (h, w), 0xRRGGBB, row 0 at the bottom, 0
-    where nothing is, and the depth there, 1 where nothing is. Raises: Stopped.
+    blue of each vertex, 0 or more; size (width, height). Returns: the picture (h, w), 0xRRGGBB, row 0 at the
+    bottom, 0 where nothing is, and the depth there, 1 where nothing is. Raises: Stopped.
     """
-    from workbench.engine.compiled import paint
+    width, height = size
+    image, depth = np.empty((height, width), np.uint32), np.empty((height, width))
+    doublings = math.ceil(math.log2(lights.max(initial=1.0)))
+    below = max(FIELD - BITS - doublings, 0)
+    levels, unlit, steps = _levels(doublings, below), np.zeros(len(faces), np.int64), STEPS / 2.0**doublings
 
-    image, depth = drawn(vertices, faces, np.arange(1, len(faces) + 1), size, stop)
-    planes = np.empty((len(faces), 3, 3))
+    def draw(low_row: int, end_row: int) -> None:
+        band, nearest = image[low_row:end_row], depth[low_row:end_row]
+        nearest[...] = FARTHEST
+        light = np.zeros(band.shape, np.int64)
+        given = light, nearest, vertices, faces, unlit, lights, steps, low_row
+        paint(depth_buffer_tiles, light, 0, *given)
+        paint(coded_light, band, 0, band, light, levels, below)
 
-    def find(first: int, end: int) -> None:
-        paint(light_planes, planes, 0, planes[first:end], vertices, faces[first:end], lights, LEVELS - 1.0)
-
-    def light(low: int, high: int) -> None:
-        band = image[low:high]
-        paint(spread_light, band, 0, band, low, planes, _levels())
-
-    in_bands(len(faces), find, stop)
-    in_bands(size[1], light, stop)
+    in_bands(height, draw, stop, bands_for(len(faces)))
     return image, depth
 
 
-@cache
-def _levels() -> NDArray[np.uint8]:
-    """What a screen is sent for light from 0 to 1, 0 to 255, in one row: eight bits stay at hand."""
-    coded = srgb_encoded(np.arange(LEVELS) / (LEVELS - 1)) * 255
+@lru_cache(maxsize=4)
+def _levels(doublings: int, below: int) -> NDArray[np.uint8]:
+    """What a screen is sent for the highest bits of a field: in one row; eight bits stay at hand."""
+    middles = (np.arange(1 << (FIELD - below)) + 0.5) * 2.0**below
+    coded = srgb_encoded((middles - MARGIN) / STEPS * 2.0**doublings) * 255
     return np.floor(coded + 0.5).astype(np.uint8).reshape(1, -1)

@@ -16,7 +16,7 @@ from workbench.language import _
 T = TypeVar("T")
 
 THREADS = 2
-_MANY_TRIANGLES = 50_000  # each band of rows looks at all of them; of fewer, more bands share better
+_MANY_TRIANGLES = 10_000  # each band of rows looks at all of them; of fewer, more bands share better
 FARTHEST = 1.0
 
 
@@ -56,15 +56,20 @@ def drawn(
 ) -> tuple[NDArray[np.uint32], NDArray[np.float64]]:
     """The same of triangles that are known to be sound. Raises: Stopped."""
     width, height = size
-    image = np.zeros((height, width), np.uint32)
-    depth = np.full((height, width), FARTHEST)
+    image, depth = np.empty((height, width), np.uint32), np.empty((height, width))
 
     def draw(low_row: int, end_row: int) -> None:
         band, nearest = image[low_row:end_row], depth[low_row:end_row]
-        paint(depth_buffer_tiles, band, 0, band, nearest, points, corners, colours, low_row)
+        band[...], nearest[...] = 0, FARTHEST  # here, as what was just written is at hand
+        paint(depth_buffer_tiles, band, 0, band, nearest, points, corners, colours, None, 0.0, low_row)
 
-    in_bands(height, draw, stop, THREADS if len(corners) > _MANY_TRIANGLES else 2 * THREADS)
+    in_bands(height, draw, stop, bands_for(len(corners)))
     return image, depth
+
+
+def bands_for(triangles: int) -> int:
+    """How many bands of rows so many triangles are drawn in."""
+    return THREADS if triangles > _MANY_TRIANGLES else 2 * THREADS
 
 
 def _checked(

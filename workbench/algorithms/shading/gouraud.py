@@ -17,15 +17,11 @@ from numpy.typing import NDArray
 
 from workbench.algorithms.beside import Beside
 from workbench.algorithms.entry import Entry, Law, Parameter, View
-from workbench.algorithms.shading.light_planes import (
-    LIGHT_EXAMPLE,
-    PLANES_EXAMPLE,
-    light_planes,
-    spread_light,
-)
+from workbench.algorithms.shading.coded_light import EXAMPLE, coded_light
 from workbench.algorithms.shading.lit_corners import LitPlace, lit_corners_of, lit_row_ends
 from workbench.algorithms.shading.pixel_views import pixel_view
 from workbench.algorithms.shading.triangle_marks import marks
+from workbench.algorithms.visibility.depth_tiles import LIT_EXAMPLE, depth_buffer_tiles
 from workbench.algorithms.visibility.scene import SCENE, scene
 from workbench.algorithms.visibility.surfaces import surface_of
 
@@ -163,5 +159,5 @@ ENTRY = Entry(
     tie="Strictly nearer wins, so the first drawn stays",
     writes="light",
     marks=marks,
-    beside=(Beside(light_planes, PLANES_EXAMPLE), Beside(spread_light, LIGHT_EXAMPLE)),
+    beside=(Beside(depth_buffer_tiles, LIT_EXAMPLE), Beside(coded_light, EXAMPLE)),
 )
