@@ -112,8 +112,8 @@ def in_bands(
 ) -> None:
     """Do something to ``count`` bands of rows, given the first and the end of each, on all threads.
 
-    A single band is done on the thread that asks. Raises: Stopped, also as ``begin`` does; bands that were
-    begun are finished first.
+    The thread that asks does the last one. Raises: Stopped, also as ``begin`` does; bands that were begun are
+    finished first.
     """
 
     def unless_stopped(low: int, high: int) -> None:
@@ -121,12 +121,14 @@ def in_bands(
             raise Stopped
         do(low, high)
 
-    if count == 1:
-        unless_stopped(0, height)
-        return
     edges = [height * band // count for band in range(count + 1)]
-    bands = [begin(unless_stopped, low, high) for low, high in pairwise(edges) if low < high]
-    wait(bands)
+    spans = [(low, high) for low, high in pairwise(edges) if low < high]
+    bands = [begin(unless_stopped, low, high) for low, high in spans[:-1]]
+    try:
+        for low, high in spans[-1:]:
+            unless_stopped(low, high)
+    finally:
+        wait(bands)
     for band in bands:
         band.result()
 

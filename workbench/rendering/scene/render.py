@@ -144,8 +144,8 @@ def device_triangles(
     for number, (mesh, (cut, face_of), material, lasting) in enumerate(parts):
         colours = flat_colours(lasting, material, lights, viewpoint.viewer)
         device = viewpoint.drawn(mesh.vertices, cut, lasting.box)
-        faces = face_of if device.triangles is cut else face_of[device.owners]
-        if not (device.triangles is cut and len(cut) == len(mesh.faces)):  # else each is a face of its own
+        faces = face_of if device.owners is None else face_of[device.owners]
+        if not (device.owners is None and len(cut) == len(mesh.faces)):  # else each is a face of its own
             colours = colours[faces]
         numbers = np.broadcast_to(number, len(faces))
         triangles = device.triangles + count if count else device.triangles

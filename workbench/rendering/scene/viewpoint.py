@@ -23,11 +23,11 @@ Size = tuple[int, int]
 
 class Drawn(NamedTuple):
     """Device triangles: corners (n, 3), x and y in pixels on a grid of 1/4096, z 0 to 1; triangles (t, 3);
-    and for each (t,) the number of the triangle that it is a part of."""
+    and for each (t,) the number of the triangle that it is a part of, None where none was cut or left out."""
 
     corners: Array
     triangles: Index
-    owners: Index
+    owners: Index | None
 
 
 class Viewpoint(NamedTuple):
@@ -79,7 +79,7 @@ class Viewpoint(NamedTuple):
         box, planes = self.homogeneous(around), np.concatenate([DEPTH_PLANES, self._reach()])
         if not ((box @ planes.T < 0).any() or (box[:, 3] <= LEAST_W).any()):
             corners = self._on_device(points_world, self.matrix)
-            return Drawn(corners, triangles, np.arange(len(triangles)))
+            return Drawn(corners, triangles, None)
         points, parts, owners = clip_triangles(self.homogeneous(points_world), triangles, planes)
         good = (points[:, 3] > LEAST_W)[parts].all(axis=1)
         used, number = np.unique(parts[good], return_inverse=True)
