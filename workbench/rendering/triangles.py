@@ -1,6 +1,7 @@
 """Triangles through the depth buffer, in bands of rows on two threads."""
 
-from collections.abc import Callable
+import threading
+from collections.abc import Callable, Iterator
 from concurrent.futures import Future, ThreadPoolExecutor, wait
 from functools import cache
 from itertools import pairwise
@@ -10,12 +11,15 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from workbench.algorithms.visibility.depth_tiles import depth_buffer_tiles
+from workbench.engine.at_hand import at_hand
 from workbench.engine.compiled import Stop, Stopped, paint
 from workbench.language import _
 
 T = TypeVar("T")
+Text = Callable[..., Iterator[tuple[Any, ...]]]
 
 THREADS = 2
+_FEW_ITEMS = 4_096
 _MANY_TRIANGLES = 10_000  # each band of rows looks at all of them; of fewer, more bands share better
 FARTHEST = 1.0
 
@@ -60,7 +64,8 @@ def drawn(
 
     def draw(low_row: int, end_row: int) -> None:
         band, nearest = image[low_row:end_row], depth[low_row:end_row]
-        band[...], nearest[...] = 0, FARTHEST  # here, as what was just written is at hand
+        band.fill(0)  # here, as what was just written is at hand
+        nearest.fill(FARTHEST)
         paint(depth_buffer_tiles, band, 0, band, nearest, points, corners, colours, None, 0.0, low_row)
 
     in_bands(height, draw, stop, bands_for(len(corners)))
@@ -112,7 +117,8 @@ def in_bands(
 ) -> None:
     """Do something to ``count`` bands of rows, given the first and the end of each, on all threads.
 
-    Raises: Stopped, also as ``begin`` does; bands that were begun are finished first.
+    The thread that asks does the last one. Raises: Stopped, also as ``begin`` does; bands that were begun are
+    finished first.
     """
 
     def unless_stopped(low: int, high: int) -> None:
@@ -121,7 +127,29 @@ def in_bands(
         do(low, high)
 
     edges = [height * band // count for band in range(count + 1)]
-    bands = [begin(unless_stopped, low, high) for low, high in pairwise(edges) if low < high]
-    wait(bands)
+    spans = [(low, high) for low, high in pairwise(edges) if low < high]
+    bands = [begin(unless_stopped, low, high) for low, high in spans[:-1]]
+    try:
+        for low, high in spans[-1:]:
+            unless_stopped(low, high)
+    finally:
+        wait(bands)
     for band in bands:
         band.result()
+
+
+def written_in_shares(count: int, text: Text, share: Callable[[int, int], tuple[Any, ...]]) -> None:
+    """Run a text on all of ``count`` items, on each thread a share of them.
+
+    ``share`` gives its arguments, the first of which is written, for the items from the first to the end. Few
+    items are done at once, and wait for no compiler; nor does an interface for one that is not loaded.
+    """
+    few = count <= _FEW_ITEMS
+    here = few and threading.current_thread() is threading.main_thread()
+    flavour = "interpreted" if here and not at_hand(text, "run") else ""
+
+    def do(first: int, end: int) -> None:
+        arguments = share(first, end)
+        paint(text, arguments[0], 0, *arguments, compiling=not few, flavour=flavour)
+
+    in_bands(count, do, None, 1 if few else THREADS)

@@ -13,7 +13,7 @@ from PySide6.QtCore import QElapsedTimer, QObject, Qt, QTimer, Signal
 from workbench.engine.background import Thread
 from workbench.session.collecting import collect_here
 
-_LOOK_MS = 2
+_LOOK_MS = 1
 _LONG_LOOK_MS = 32
 _PATIENCE = 16  # what has taken this many times as long is looked for as rarely
 

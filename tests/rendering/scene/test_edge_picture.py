@@ -9,6 +9,7 @@ from workbench.document.model import Rectangle
 from workbench.document.scene.looking import turned_to
 from workbench.document.scene.model import Camera, Material, Object, Scene
 from workbench.document.scene.solids import AnySolid, Box, House, Prism, Regular, Torus
+from workbench.geometry.conventions import top_row_first
 from workbench.geometry.meshes import Array
 from workbench.rendering.scene import render_scene
 from workbench.rendering.scene.around import window_of
@@ -62,6 +63,7 @@ def test_faces_are_those_of_the_depth_buffer_and_nothing_lies_elsewhere() -> Non
     assert picture.pixels is not None
     assert np.array_equal(picture.pixels != 0, depth < 1.0)
     assert np.array_equal(picture.pixels[depth < 1.0] & 0xFFFFFF, image[depth < 1.0])
+    assert top_row_first(picture.pixels).flags.c_contiguous  # shown without a copy
 
 
 def test_without_faces_every_edge_is_there_once() -> None:

@@ -40,7 +40,6 @@ def test_normals_distances_and_middles_are_those_of_the_planes() -> None:
     np.testing.assert_allclose(faces.normals[:, :3].T, planes[:, :3])
     np.testing.assert_allclose(faces.distances[[0, 2]], -planes[[0, 2], 3], atol=1e-12)
     np.testing.assert_allclose(faces.middles[:, 1], mesh.vertices[3:7].mean(axis=0))
-    np.testing.assert_allclose(faces.squares, (faces.middles**2).sum(axis=0))
 
 
 def test_of_few_vertices_all_are_outermost_and_of_many_those_between_which_the_others_lie() -> None:

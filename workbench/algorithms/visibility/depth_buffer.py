@@ -21,6 +21,12 @@ from workbench.algorithms.visibility.depth_tiles import EXAMPLE, depth_buffer_ti
 from workbench.algorithms.visibility.device_plane import corners_of, plane, row_ends
 from workbench.algorithms.visibility.scene import SCENE, scene
 from workbench.algorithms.visibility.views import VIEW_FUNCTIONS, VIEWS
+from workbench.algorithms.visibility.whole_scene import (
+    COLOURS_EXAMPLE,
+    PLACES_EXAMPLE,
+    face_colours,
+    places_on_device,
+)
 
 Array = NDArray[Any]
 
@@ -82,7 +88,11 @@ ENTRY = Entry(
     views=VIEWS,
     view_functions=VIEW_FUNCTIONS,
     marks=marks,
-    beside=(Beside(depth_buffer_tiles, EXAMPLE),),
+    beside=(
+        Beside(depth_buffer_tiles, EXAMPLE),
+        Beside(places_on_device, PLACES_EXAMPLE),
+        Beside(face_colours, COLOURS_EXAMPLE),
+    ),
     laws=(
         Law(
             "At every covered pixel the triangle with the least z wins.",

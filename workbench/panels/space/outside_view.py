@@ -8,7 +8,7 @@ import math
 import numpy as np
 from msgspec.structs import replace
 from PySide6.QtCore import QPointF, QRectF, Qt, Signal
-from PySide6.QtGui import QPainter, QPen
+from PySide6.QtGui import QPainter, QPen, QShowEvent
 from PySide6.QtWidgets import QWidget
 
 from workbench.document.model import Rectangle
@@ -61,12 +61,24 @@ class OutsideView(SceneView):
         self.turned.connect(self._orbit)
 
     def show_seen(self, scene: Scene, window: Rectangle, vertex: Vertex | None, chosen: str) -> None:
-        """Show what is seen of ``scene`` through a window of its view plane, and its vertex on its way."""
-        self.seen, self.window_seen, self.vertex = scene, window, vertex
+        """Show what is seen of ``scene`` through a window of its view plane, and its vertex on its way.
+
+        Hidden, it only keeps that until it is to be seen.
+        """
+        self.seen, self.window_seen, self.vertex, self.chosen = scene, window, vertex, chosen
+        if not self.isVisible():
+            return
         held = self._begun is not None
-        self.show_scene(replace(scene, camera=self.scene.camera if held else self._camera()), chosen)
+        scene = replace(scene, camera=self.scene.camera if held else self._camera())
         if self.keeps_fit and not held:
+            self.scene = scene  # to be drawn once, as it fits
             self.fit()
+        self.show_scene(scene, chosen)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Show what it has kept while it was hidden."""
+        self.show_seen(self.seen, self.window_seen, self.vertex, self.chosen)
+        super().showEvent(event)
 
     def stand_aside(self) -> None:
         """Look from the side of the eye, and fit."""

@@ -44,8 +44,7 @@ from workbench.rendering.subjects.projection import KIND, clips, is_of_a_vertex,
 from workbench.session.session import Session
 from workbench.widgets.stepping.step_bar import stepping_key
 
-_CARD_GAP_PX = 8
-_REST_MS = 50
+_CARD_GAP_PX, _REST_MS = 8, 50
 
 
 class ProjectionPage(ViewCommands, PlainPage, QWidget):
@@ -90,6 +89,7 @@ class ProjectionPage(ViewCommands, PlainPage, QWidget):
         self._lay_out()
         self._waiting = False
         self._rest = QTimer(self, singleShot=True, interval=_REST_MS)
+        self._rest.timeout.connect(self._show_outside)
         self._rest.timeout.connect(self._refresh_rest)
         self._kept: Scene | None = None
         self.morph = Morph(self)
@@ -140,6 +140,7 @@ class ProjectionPage(ViewCommands, PlainPage, QWidget):
         self.morph.finished.connect(self._arrive)
         for told in (eye.resized, self.card.refitted):
             told.connect(self._place_cube)
+        eye.pictured.connect(self.cube.show_camera)
         self.cube.chosen.connect(self.glance)
         self.pointing.said.connect(self.hover_text)
         self.pointing.stepped.connect(self._follow)
@@ -331,10 +332,13 @@ class ProjectionPage(ViewCommands, PlainPage, QWidget):
             self._kept = kept
             self._show_outside()
             self.outside.stand_aside()
-        self._show_outside()
-        if not self.eye.dragging or anew:
+        turned = self.eye.dragging and not anew
+        alone = turned and self.eye.is_large  # all beside the picture waits until the hand rests
+        if not alone:
+            self._show_outside()
+        if not turned:
             self._refresh_rest(anew)
-        elif not self._rest.isActive():
+        elif alone or not self._rest.isActive():
             self._rest.start()
 
     def _refresh_rest(self, anew: bool = False) -> None:

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from workbench.document.model import Rectangle
 from workbench.document.scene.model import Scene
+from workbench.geometry.conventions import top_row_first
 from workbench.geometry.meshes import Array
 from workbench.language import _, reason_of
 from workbench.panels.space.scene_worker import Draws, SceneJob, SceneWorker
@@ -28,6 +29,7 @@ _DRAWS: dict[Shows, Draws] = {"faces": "faces", "both": "faces", "edges": "edges
 _MARGIN_PX = 44
 _LEAST_SCALE, _MOST_SCALE = 1e-6, 1e9
 _FINEST_PX = 0.3
+_MANY_FACES = 10_000
 _PER_WIDTH = 8.0
 """An edge is at least so many times as long as wide, on average: a fine mesh is drawn in fine lines."""
 
@@ -51,11 +53,12 @@ class ScenePicture(QWidget):
     """Where ``middle`` of the view plane is in the middle, ``scale`` logical pixels a unit; it keeps them
     while the camera turns, and fits the scene anew when it ``keeps_fit`` and something else has changed.
 
-    ``view_changed`` sends the scale, ``resized`` follows another size of the widget, ``failed`` tells why a
-    scene cannot be drawn.
+    ``view_changed`` sends the scale, ``pictured`` the camera of a picture as that is shown, ``resized``
+    follows another size of the widget, ``failed`` tells why a scene cannot be drawn.
     """
 
     view_changed = Signal(float)
+    pictured = Signal(object)
     resized = Signal()
     failed = Signal(str)
 
@@ -100,6 +103,11 @@ class ScenePicture(QWidget):
             self.redraw()
         if not (self.dragging and self.worker.busy):  # else the picture that is awaited is painted
             self.update()
+
+    @property
+    def is_large(self) -> bool:
+        """Whether its picture takes so long that while it is turned nothing else is drawn."""
+        return sum(len(thing.mesh.faces) for thing in self.scene.objects if thing.visible) > _MANY_FACES
 
     @property
     def picture_is_current(self) -> bool:
@@ -176,15 +184,18 @@ class ScenePicture(QWidget):
         self.worker.ask(job)
 
     def _take(self, job: SceneJob, picture: EdgePicture) -> None:
+        before = self._viewpoint
         self._picture, self._viewpoint = picture, job.viewpoint
         self._device = self._viewpoint.device
         self._image = QImage()
         if picture.pixels is not None:
-            self._rows = np.ascontiguousarray(picture.pixels[::-1])
+            self._rows = np.ascontiguousarray(top_row_first(picture.pixels))
             height, width = self._rows.shape
             form = QImage.Format.Format_ARGB32_Premultiplied  # no pixel lets through a part only
             self._image = QImage(self._rows.data, width, height, width * 4, form)
-        self.view_changed.emit(self.scale)
+        if before is None or before[1:] != self._viewpoint[1:]:
+            self.view_changed.emit(self.scale)
+        self.pictured.emit(job.scene.camera)
         self.update()
 
     def _take_drawn(self, job: SceneJob, picture: EdgePicture) -> None:

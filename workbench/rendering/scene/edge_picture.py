@@ -12,15 +12,18 @@ from numpy.typing import NDArray
 from workbench.algorithms.visibility import depth_buffer
 from workbench.document.model import Rectangle
 from workbench.document.scene.model import Scene
+from workbench.geometry.conventions import top_row_first
 from workbench.geometry.meshes import Array, Index
 from workbench.rendering.scene.render import placed, render_scene
 from workbench.rendering.scene.viewpoint import Size, Viewpoint
 from workbench.rendering.scene.volume import DEPTH_PLANES, LEAST_W, clip_segments
+from workbench.rendering.triangles import in_bands
 
 MOST_EDGES = 20_000
 _MOST_SAMPLES = 400_000
 _LONGEST_PX = 4_000
 _SLACK = 1e-7
+_OPAQUE = np.uint32(0xFF000000)
 
 
 class EdgePicture(NamedTuple):
@@ -49,9 +52,19 @@ def edge_picture(scene: Scene, size: Size, window: Rectangle, faces: bool = True
 
 
 def image_over_nothing(image: NDArray[np.uint32], depth: Array) -> NDArray[np.uint32]:
-    """A picture (h, w), 0xRRGGBB, as 0xAARRGGBB, 0 where its depths say that nothing is."""
-    pixels: NDArray[np.uint32] = np.where(depth < 1.0, image | np.uint32(0xFF000000), np.uint32(0))
-    return pixels
+    """A picture (h, w), 0xRRGGBB, as 0xAARRGGBB, 0 where its depths say that nothing is.
+
+    In memory its top row comes first, as a screen wants it.
+    """
+    rows = np.empty_like(image)
+
+    def show(first: int, end: int) -> None:
+        band = rows[first:end]
+        np.multiply(top_row_first(depth)[first:end] < 1.0, _OPAQUE, out=band)
+        band |= top_row_first(image)[first:end]
+
+    in_bands(len(rows), show, None)
+    return top_row_first(rows)
 
 
 def _edges(scene: Scene, viewpoint: Viewpoint) -> tuple[Array, Index]:

@@ -64,11 +64,6 @@ class Lasting:
         return middles
 
     @cached_property
-    def squares(self) -> Array:
-        """The squares (m,) of how far the middles are from the origin."""
-        return _squares(self.middles)
-
-    @cached_property
     def box(self) -> Array:
         """The corners (8, 3) of a box around all vertices, none where there are none."""
         columns = self._mesh.vertices.T
@@ -113,30 +108,3 @@ def _squares(rows: Array) -> Array:
     squares += y * y
     squares += z * z
     return squares
-
-
-class FacesOf:
-    """Some of the faces, one after the other: what lasts of them, as views."""
-
-    def __init__(self, lasting: Lasting, part: slice) -> None:
-        self._lasting, self._part = lasting, part
-
-    @property
-    def normals(self) -> Array:
-        """Unit normals (3, k)."""
-        return self._lasting.normals[:, self._part]
-
-    @property
-    def distances(self) -> Array:
-        """Of their planes from the origin (k,)."""
-        return self._lasting.distances[self._part]
-
-    @property
-    def middles(self) -> Array:
-        """Means of the corners (3, k)."""
-        return self._lasting.middles[:, self._part]
-
-    @property
-    def squares(self) -> Array:
-        """The squares (k,) of how far the middles are from the origin."""
-        return self._lasting.squares[self._part]

@@ -67,7 +67,7 @@ def _piece(part: Part, viewpoint: Viewpoint, number: int) -> tuple[Array | Index
     drawn = viewpoint.drawn(mesh.vertices, cut, lasting.box)
     places, normals = mesh.vertices[cut], lasting.corner_normals(cut, face_of)
     faces = face_of
-    if drawn.triangles is not cut:
+    if drawn.owners is not None:
         whole, faces = places[drawn.owners], face_of[drawn.owners]
         places = _in_world(viewpoint, drawn.corners[drawn.triangles])
         normals = _shares(places, whole) @ normals[drawn.owners]

@@ -36,7 +36,8 @@ def pick(scene: Scene, size: Size, window: Rectangle, x: float, y: float) -> Pic
             first = int(depth.argmin())
             if depth[first] < nearest:
                 nearest = float(depth[first])
-                best = thing.id, int(faces[drawn.owners[inside[first]]])
+                piece = inside[first]
+                best = thing.id, int(faces[piece if drawn.owners is None else drawn.owners[piece]])
     return None if best is None else Pick(*best, _in_space(viewpoint, x, y, nearest))
 
 

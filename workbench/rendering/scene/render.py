@@ -18,7 +18,7 @@ from workbench.rendering.scene.lasting import Lasting
 from workbench.rendering.scene.methods import picture_by
 from workbench.rendering.scene.shading import LIT_SHADINGS, QUICK, flat_colours
 from workbench.rendering.scene.viewpoint import Size, Viewpoint
-from workbench.rendering.triangles import begin, drawn
+from workbench.rendering.triangles import drawn
 
 Picture = tuple[NDArray[np.uint32], NDArray[np.float64]]
 
@@ -142,11 +142,10 @@ def device_triangles(
     pieces: list[DeviceTriangles] = []
     count = 0
     for number, (mesh, (cut, face_of), material, lasting) in enumerate(parts):
-        shading = begin(flat_colours, lasting, material, lights, viewpoint.viewer)
+        colours = flat_colours(lasting, material, lights, viewpoint.viewer)
         device = viewpoint.drawn(mesh.vertices, cut, lasting.box)
-        faces = face_of if device.triangles is cut else face_of[device.owners]
-        colours = shading.result()
-        if not (device.triangles is cut and len(cut) == len(mesh.faces)):  # else each is a face of its own
+        faces = face_of if device.owners is None else face_of[device.owners]
+        if not (device.owners is None and len(cut) == len(mesh.faces)):  # else each is a face of its own
             colours = colours[faces]
         numbers = np.broadcast_to(number, len(faces))
         triangles = device.triangles + count if count else device.triangles

@@ -1,33 +1,33 @@
 """From the world to the device: camera, window, viewport, and where the viewer is."""
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from workbench.algorithms.viewing import window_to_viewport
+from workbench.algorithms.visibility.whole_scene import places_on_device
 from workbench.document.model import Rectangle, whole_sheet
 from workbench.document.scene.model import Camera
 from workbench.document.scene.viewing import projection_matrix, view_matrix
-from workbench.geometry.conventions import snapped
 from workbench.geometry.meshes import Array, Index
 from workbench.language import _
 from workbench.rendering.limits import REACH_PX
 from workbench.rendering.scene.volume import DEPTH_PLANES, LEAST_W, clip_triangles, side_planes
+from workbench.rendering.triangles import written_in_shares
 
 _MARGIN = 0.05
 _MOST_SIDE_PX = 1 << 14
-_AT_ONCE = 1 << 16  # points: what is worked out on the way takes little memory
 
 Size = tuple[int, int]
 
 
 class Drawn(NamedTuple):
     """Device triangles: corners (n, 3), x and y in pixels on a grid of 1/4096, z 0 to 1; triangles (t, 3);
-    and for each (t,) the number of the triangle that it is a part of."""
+    and for each (t,) the number of the triangle that it is a part of, None where none was cut or left out."""
 
     corners: Array
     triangles: Index
-    owners: Index
+    owners: Index | None
 
 
 class Viewpoint(NamedTuple):
@@ -78,24 +78,23 @@ class Viewpoint(NamedTuple):
         """
         box, planes = self.homogeneous(around), np.concatenate([DEPTH_PLANES, self._reach()])
         if not ((box @ planes.T < 0).any() or (box[:, 3] <= LEAST_W).any()):
-            corners = np.empty((len(points_world), 3))
-            for first in range(0, len(corners), _AT_ONCE):
-                part = slice(first, first + _AT_ONCE)
-                corners[part] = self._on_device(self.homogeneous(points_world[part]))
-            return Drawn(corners, triangles, np.arange(len(triangles)))
+            corners = self._on_device(points_world, self.matrix)
+            return Drawn(corners, triangles, None)
         points, parts, owners = clip_triangles(self.homogeneous(points_world), triangles, planes)
         good = (points[:, 3] > LEAST_W)[parts].all(axis=1)
         used, number = np.unique(parts[good], return_inverse=True)
-        return Drawn(self._on_device(points[used]), number.reshape(-1, 3), owners[good])
+        return Drawn(self._on_device(points[used], np.eye(4)), number.reshape(-1, 3), owners[good])
 
-    def _on_device(self, points: Array) -> Array:
-        """Points (n, 4) before the division, as ``Drawn`` has its corners."""
-        corners: Array = points[:, :3] / points[:, 3:]
-        device = self.device
-        for axis in (0, 1):
-            placed = corners[:, axis] * device[axis, axis] + device[axis, 2]
-            corners[:, axis] = snapped(placed)
-        return corners
+    def _on_device(self, points: Array, matrix: Array) -> Array:
+        """Points (n, 3), or (n, 4) with their w, as ``Drawn`` has its corners, once ``matrix`` is applied."""
+        places, device = np.empty((len(points), 3)), self.device
+        scales = *device[0, [0, 2]].tolist(), *device[1, [1, 2]].tolist()
+
+        def share(first: int, end: int) -> tuple[Any, ...]:
+            return places[first:end], points[first:end], matrix, *scales
+
+        written_in_shares(len(points), places_on_device, share)
+        return places
 
     def _reach(self) -> Array:
         """The planes beyond which nothing is drawn: far outside of the picture, so that few are cut there."""
