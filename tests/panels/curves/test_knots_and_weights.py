@@ -11,6 +11,7 @@ from tests.panels.curves.by_hand import (
 )
 from tests.panels.curves.docked import PLACES, with_docks
 from workbench.document.curves.settings import set_spline
+from workbench.panels.curves.basis import knot_names
 
 
 def test_a_knot_is_dragged_and_the_knots_become_free(qtbot):
@@ -28,6 +29,24 @@ def test_a_knot_is_dragged_and_the_knots_become_free(qtbot):
     assert panel.session.undo_stack.count() == before + 1
     panel.session.undo_stack.undo()
     assert the_curve(panel).knot_rule == "open_uniform"
+
+
+def test_a_knot_that_went_while_it_was_held_is_pulled_no_further(qtbot):
+    """By an undo or a redo, before the first move or after it."""
+    panel = with_docks(qtbot, curve_through(*PLACES))
+    basis, steps = panel.beside.basis, panel.session.undo_stack
+    before = the_curve(panel)
+    basis.knot_dragged.emit(f"#{len(knot_names(before))}", 2.5)
+    assert the_curve(panel) == before
+    basis.knot_dragged.emit("#5", 2.5)
+    freed = the_curve(panel).knots[5].id
+    steps.undo()
+    basis.knot_dragged.emit(freed, 2.75)
+    basis.knot_dragged.emit("#5", 2.75)
+    basis.knot_released.emit(freed)
+    assert the_curve(panel) == before
+    basis.knot_dragged.emit(freed, 2.75)
+    assert the_curve(panel) == before
 
 
 def test_a_knot_is_removed_where_the_curve_stays(qtbot):

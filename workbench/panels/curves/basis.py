@@ -37,6 +37,13 @@ class Basis:
 NOTHING = Basis(np.zeros(0), np.zeros((0, 0)), (), (), (), None, ())
 
 
+def knot_names(curve: Curve) -> tuple[str, ...]:
+    """The knots of a B-spline: each by its id, or by # and its number where a rule makes it."""
+    _around, knots, _weights = b_spline_of(curve)
+    ids = [knot.id for knot in curve.knots]
+    return tuple(ids[k] if k < len(ids) else f"#{k}" for k in range(len(knots)))
+
+
 def basis_of(curve: Curve, share: float) -> Basis:
     """The functions of a curve; of very many those around the parameter at ``share``.
 
@@ -57,8 +64,7 @@ def basis_of(curve: Curve, share: float) -> Basis:
     if curve.spline in B_SPLINES:
         _around, knots, weights = b_spline_of(curve)
         values = basis_table(knots, curve.degree, us, weights if curve.spline == "nurbs" else None)
-        ids = [knot.id for knot in curve.knots]
-        named = tuple((ids[k] if k < len(ids) else f"#{k}", float(u)) for k, u in enumerate(knots.tolist()))
+        named = tuple(zip(knot_names(curve), knots.tolist(), strict=True))
         shown = _wrapped(values, count)
         return _chosen(curve, us, shown, "R" if curve.spline == "nurbs" else "N", named, (first, last), share)
     knots_shown = tuple((f"#{k}", float(u)) for k, u in enumerate(pieces.knots.tolist()))

@@ -22,6 +22,7 @@ from workbench.document.errors import DocumentError
 from workbench.document.model import B_SPLINES, Curve, Document
 from workbench.document.transforms.chains import read_only_reason
 from workbench.language import _, ngettext
+from workbench.panels.curves.basis import knot_names
 from workbench.panels.curves.focus import CurveFocus
 from workbench.panels.stage.actions import PanelCommand
 from workbench.panels.stage.gesture import Gesture
@@ -166,6 +167,9 @@ class CurveCommands(QObject):
         curve = self.focus.curve
         if curve is None or curve.spline not in B_SPLINES:
             return
+        names = knot_names(curve)
+        if knot not in names and not (self._pull.busy and knot in knot_names(self._pulled)):
+            return  # it went while it was held, as by an undo
         if not self._pull.begun:
             self._pull.begin()
             self._pulled = curve
