@@ -42,6 +42,7 @@ class CurveCommands(QObject):
         self.session = focus.session
         self._pull = Gesture(self.session)
         self._pull.failed.connect(self.said)
+        self._pulled: Curve
 
     def rows(self) -> list[PanelCommand]:
         """Name, text, icon, key and what it does, for the menu of the canvas and the list of commands."""
