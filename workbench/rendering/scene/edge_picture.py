@@ -9,21 +9,20 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from workbench.algorithms.visibility import depth_buffer
 from workbench.document.model import Rectangle
 from workbench.document.scene.model import Scene
 from workbench.geometry.conventions import top_row_first
 from workbench.geometry.meshes import Array, Index
-from workbench.rendering.scene.render import placed, render_scene
+from workbench.rendering.scene.render import device_triangles, placed
 from workbench.rendering.scene.viewpoint import Size, Viewpoint
 from workbench.rendering.scene.volume import DEPTH_PLANES, LEAST_W, clip_segments
-from workbench.rendering.triangles import in_bands
+from workbench.rendering.triangles import drawn, in_bands
 
 MOST_EDGES = 20_000
 _MOST_SAMPLES = 400_000
 _LONGEST_PX = 4_000
 _SLACK = 1e-7
-_OPAQUE = np.uint32(0xFF000000)
+_OPAQUE = 0xFF000000
 
 
 class EdgePicture(NamedTuple):
@@ -45,8 +44,9 @@ def edge_picture(scene: Scene, size: Size, window: Rectangle, faces: bool = True
     none, nobody = np.zeros((0, 4)), np.zeros(0, np.int64)
     if not faces:
         return EdgePicture(None, ends[:, [0, 1, 3, 4]], owners, none, nobody)
-    image, depth = render_scene(scene, depth_buffer.__name__, size, window=window)
-    pixels = image_over_nothing(image, depth)
+    device = device_triangles(placed(scene), scene.lights, scene.camera, size, window)
+    image, depth = drawn(device.corners, device.triangles, device.colours | _OPAQUE, size)
+    pixels = top_row_first(np.ascontiguousarray(top_row_first(image)))  # as a screen wants it in memory
     parts, of, seen = _split(ends, depth)
     return EdgePicture(pixels, parts[seen], owners[of[seen]], parts[~seen], owners[of[~seen]])
 
@@ -60,7 +60,7 @@ def image_over_nothing(image: NDArray[np.uint32], depth: Array) -> NDArray[np.ui
 
     def show(first: int, end: int) -> None:
         band = rows[first:end]
-        np.multiply(top_row_first(depth)[first:end] < 1.0, _OPAQUE, out=band)
+        np.multiply(top_row_first(depth)[first:end] < 1.0, np.uint32(_OPAQUE), out=band)
         band |= top_row_first(image)[first:end]
 
     in_bands(len(rows), show, None)
