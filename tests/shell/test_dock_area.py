@@ -136,7 +136,7 @@ def drag(bar: QTabBar, start: QPoint, places: list[QPoint]) -> None:
 @pytest.mark.parametrize("seed", range(2))
 def test_tabs_are_dragged_onto_one_another_and_away(window: MainWindow, seed: int) -> None:
     chance = random.Random(seed)
-    for _round in range(20):
+    for _round in range(14):
         window.go(chance.choice(window.workspace_slugs))
         settle()
         bars = tab_bars(window)
