@@ -183,6 +183,8 @@ class Monkey(QObject):
             self._window.reset_workspace()
             if each.slug in PAGED and (panels := self._window.panels(each.slug)):
                 panels[0].show_page()
+        # What is to be deleted waits for the loop that this was called from
+        QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
         held = holdings()
         self.megabytes.append(held.resident)
         print(f"# {self._done} events, {held.resident:.1f} MB; {held}; {weights}", file=self._log, flush=True)
