@@ -9,6 +9,7 @@ import inspect
 import json
 import os
 import sys
+import time
 import types
 import typing
 from collections.abc import Callable, Iterator
@@ -25,6 +26,7 @@ from workbench.engine.lowering import Lowered, Slot, Variant, lower
 from workbench.engine.operations import Operations
 
 _FILE = "lowered.json"
+_BEGUN = time.time_ns()
 _WRITTEN = (bool, int, float, str, tuple, np.generic, types.BuiltinFunctionType)
 
 
@@ -40,7 +42,7 @@ def lowered(
     if kept is not None:
         return kept
     result = lower(function, variant, considers, painter)
-    # A file may have changed since it was looked at: what came of it must not bear the name of the old one.
+    # A file or a value may have changed meanwhile: what came of it must not bear the name of the old one.
     if name is not None and name == _name(function, variant, considers, painter):
         kernel_files.write(json.dumps(astuple(result)), name, _FILE)
     return result
@@ -136,8 +138,10 @@ def _kinds(record: type) -> list[Any]:
 
 
 def _digest(file: str) -> str:
-    """That of a file as it is now. Raises OSError."""
+    """That of a file. Raises OSError, also where it has changed since it may have been imported."""
     status = os.stat(file)
+    if status.st_mtime_ns > _BEGUN:
+        raise FileNotFoundError(file)
     return _digest_of(file, status.st_mtime_ns, status.st_size)
 
 

@@ -15,7 +15,6 @@ import inspect
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from functools import lru_cache
 from types import FunctionType, ModuleType
 from typing import Any, Literal
 
@@ -70,7 +69,6 @@ class Lowered:
     titles: tuple[str, ...] = ()
 
 
-@lru_cache(maxsize=512)
 def lower(
     function: Callable[..., Any],
     variant: Variant = "plain",
@@ -383,7 +381,8 @@ def _binding(text: Text, name: str, value: Any) -> str:
     if isinstance(value, type) and issubclass(value, tuple) and hasattr(value, "_fields"):
         if value.__module__ == "__main__" or "<" in value.__qualname__:
             raise text.error(_("the record {name} must be at the top level of a file").format(name=name))
-        fields = (*value._fields, *filter(_plain, value._field_defaults.values()))
+        defaults = map(repr, filter(_plain, value._field_defaults.values()))
+        fields = " ".join([*value._fields, *defaults])
         return f"from {value.__module__} import {value.__name__} as {name}  # {fields}"
     if inspect.isbuiltin(value) and getattr(value, "__module__", "") == "math":
         return f"from math import {value.__name__} as {name}"
