@@ -123,7 +123,8 @@ def _meaning(value: Any, within: tuple[Any, ...] = ()) -> str:
         if value in within or not issubclass(value, tuple) or not hasattr(value, "_fields"):
             return said
         kinds = (_meaning(kind, (*within, value)) for kind in _kinds(value))
-        return " ".join([said, *value._fields, *map(_meaning, value._field_defaults.values()), *kinds])
+        defaults = map(_meaning, getattr(value, "_field_defaults", {}).values())
+        return " ".join([said, *value._fields, *defaults, *kinds])
     if value is None or isinstance(value, _WRITTEN):
         return f"{type(value).__qualname__} {value!r}"
     return type(value).__qualname__  # nothing else can be written

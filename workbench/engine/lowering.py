@@ -381,7 +381,7 @@ def _binding(text: Text, name: str, value: Any) -> str:
     if isinstance(value, type) and issubclass(value, tuple) and hasattr(value, "_fields"):
         if value.__module__ == "__main__" or "<" in value.__qualname__:
             raise text.error(_("the record {name} must be at the top level of a file").format(name=name))
-        defaults = map(repr, filter(_plain, value._field_defaults.values()))
+        defaults = [repr(each) for each in getattr(value, "_field_defaults", {}).values() if _plain(each)]
         fields = " ".join([*value._fields, *defaults])
         return f"from {value.__module__} import {value.__name__} as {name}  # {fields}"
     if inspect.isbuiltin(value) and getattr(value, "__module__", "") == "math":
