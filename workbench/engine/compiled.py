@@ -21,7 +21,8 @@ from numpy.typing import NDArray
 from workbench.algorithms.entry import Emits
 from workbench.engine import arguments, at_hand, kernel_files, overloads
 from workbench.engine.drivers import PAINTING, drivers, ticking_drivers
-from workbench.engine.lowering import Lowered, Variant, lower
+from workbench.engine.lowered_files import lowered as lowered_text
+from workbench.engine.lowering import Lowered, Variant
 from workbench.engine.processor import load_llvm, mask_short_loops
 from workbench.engine.stopping import Stop, Stopped
 from workbench.engine.turns import imports_in_turn, short_turns
@@ -38,6 +39,7 @@ __all__ = [
     "paint",
     "paint_many",
     "ready",
+    "ready_on",
 ]
 
 Function = Callable[..., Any]
@@ -172,7 +174,7 @@ def _kernel(function: Function, emits: Emits | None, flavour: str, variant: Vari
     entry = arguments.entry_of(function)
     considers = arguments.considered(entry) if entry is not None and variant == "probing" else ()
     painter = entry.painter if entry is not None and variant == "plain" else None
-    lowered = lower(function, variant, considers, painter)
+    lowered = lowered_text(function, variant, considers, painter)
     kinds = arguments.kinds(function)
     refusal = entry.compiles if entry is not None else ""
     if entry is None and lowered.recursive:
@@ -216,6 +218,14 @@ def ready(function: Function, use: str = "paint", dtype: str = "uint32", flavour
     elif use in ("paint", "paint_many"):
         prefix = f"{use}-{np.dtype(dtype).str[1:]}"
     return any(f"{known}-".startswith(f"{prefix}-") for known in one.known())
+
+
+def ready_on(function: Function, *args: Any) -> bool:
+    """Whether a text that paints itself needs no compilation now for such arguments."""
+    one = kernel(function)
+    values = (Stop().flag, *arguments.bind(function, args, False))
+    use = _use("_run", tuple([value.dtype for value in values if type(value) is np.ndarray]))
+    return not one.refusal and available() and one.ready(use)
 
 
 def collect(

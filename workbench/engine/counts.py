@@ -1,11 +1,9 @@
 """How much work a run is: runs of each line, visits of each titled block, operations on the lines.
 
-Runs and visits come from the compiled reading of the counting text. Operations are those written on a line,
-taken from its syntax tree, times its runs: both sides of ``and`` and of a choice count, and what a loop's
-header adds and compares unseen does not.
+Runs and visits come from the compiled reading of the counting text. Operations are those written on a line
+times its runs, see ``Operations``.
 """
 
-import ast
 from collections import Counter
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -17,21 +15,6 @@ from numpy.typing import NDArray
 from workbench.algorithms.entry import Entry
 from workbench.engine import arguments
 from workbench.engine.compiled import Kernel, Stop, kernel
-
-_ADDING = (ast.Add, ast.Sub)
-_DIVIDING = (ast.Div, ast.FloorDiv, ast.Mod)
-
-
-@dataclass(frozen=True, slots=True)
-class Operations:
-    """What is written on one line, or done in one run."""
-
-    tests: int = 0
-    additions: int = 0
-    multiplications: int = 0
-    divisions: int = 0
-    stores: int = 0
-    yields: int = 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,9 +54,8 @@ def counts(
     for slot, times in zip(one.lowered.slots, runs, strict=True):
         for line in slot.lines:
             lines[slot.function, line] += int(times)
-        written = operations(slot.expressions)
-        for name in Operations.__slots__:
-            done[name] += getattr(written, name) * int(times)
+        for name, written in slot.written._asdict().items():
+            done[name] += written * int(times)
     titles: Counter[str] = Counter()
     for title, times in zip(one.lowered.titles, visits, strict=True):
         titles[title] += int(times)
@@ -117,24 +99,3 @@ def _run(
     sink = (runs, visits, slot_blocks(one), emitted, (stop or Stop()).flag)
     one.call("_count", (*sink, *values), compiling)
     return runs, visits, int(emitted[0])
-
-
-def operations(nodes: tuple[ast.AST, ...]) -> Operations:
-    """What is written in ``nodes``."""
-    found: Counter[str] = Counter()
-    for node in (inner for outer in nodes for inner in ast.walk(outer)):
-        match node:
-            case ast.Compare():
-                found["tests"] += len(node.ops)
-            case ast.BinOp(op=operator) | ast.AugAssign(op=operator):
-                if isinstance(operator, _ADDING):
-                    found["additions"] += 1
-                elif isinstance(operator, ast.Mult):
-                    found["multiplications"] += 1
-                elif isinstance(operator, _DIVIDING):
-                    found["divisions"] += 1
-            case ast.Subscript(ctx=ast.Store()):
-                found["stores"] += 1
-            case ast.Yield():
-                found["yields"] += 1
-    return Operations(**found)

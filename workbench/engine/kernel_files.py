@@ -1,5 +1,7 @@
 """Where compiled readings are kept: one folder per text, named by everything that went into it.
 
+So are the lowered texts (see ``lowered_files``).
+
 What is kept is unpickled by the compiler, and so could do anything: it is read only from a folder that is the
 user's own and nobody else's to write (see ``ownership``), and that holds nothing of anybody else. A checksum
 would say nothing more, as who can write a reading can write its checksum. Where the chosen folder is not like
@@ -30,7 +32,10 @@ from workbench.engine.ownership import owned, sealed
 from workbench.language import _
 
 _PRIVATE = "graphics-workbench-kernels-"
-_ENGINE = ("sinks.py", "stopping.py", "compiled.py")
+_ENGINE = (
+    *("arguments.py", "choices.py", "compiled.py", "overloads.py", "places.py", "processor.py", "sinks.py"),
+    "stopping.py",
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -129,10 +134,19 @@ def place(name: str) -> Path | None:
     return None if folder is None else folder / name
 
 
-def write(text: str, name: str) -> Path | None:
-    """Put ``text`` into ``kernel.py`` in its place; its path, or None when nothing can be kept."""
+def read(name: str, file: str) -> str | None:
+    """What ``file`` in this place says, None where there is none or others may have written it."""
+    folder = place(name)
+    try:
+        return (folder / file).read_text(encoding="utf-8") if folder is not None and sealed(folder) else None
+    except (OSError, UnicodeDecodeError):
+        return None
+
+
+def write(text: str, name: str, file: str = "kernel.py") -> Path | None:
+    """Put ``text`` into ``file`` in its place; its path, or None when nothing can be kept."""
     while (folder := place(name)) is not None:
-        target = folder / "kernel.py"
+        target = folder / file
         try:
             if not sealed(folder):
                 discard(name)

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from types import ModuleType
 from typing import Any
 
-from workbench.engine.lowering import lower
+from workbench.engine.lowered_files import lowered as lowered_text
 from workbench.engine.texts import ENTER, LEAVE, READING
 
 Function = Callable[..., Any]
@@ -103,7 +103,7 @@ def collect_limited(function: Function, limit: int, *args: Any) -> Limited:
         functools.update_wrapper(call, reading, ("__defaults__", "__kwdefaults__"), ())
         return call
 
-    lowered = lower(function)
+    lowered = lowered_text(function)
     module = ModuleType(f"limited_{lowered.name}")
     vars(module).update(reading=counted, part=lambda plain: plain)
     exec(compile(lowered.text, f"<{lowered.name}>", "exec"), vars(module))

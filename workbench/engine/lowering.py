@@ -15,7 +15,6 @@ import inspect
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from functools import lru_cache
 from types import FunctionType, ModuleType
 from typing import Any, Literal
 
@@ -24,6 +23,7 @@ import numpy as np
 from workbench.engine.blocks import blocks
 from workbench.engine.choices import CHOSEN, bounded, choices
 from workbench.engine.empty_lists import is_empty_list, typed_empty_list
+from workbench.engine.operations import Operations
 from workbench.engine.parsing import parse_expression
 from workbench.engine.places import BESIDE, PLACE, counted_up, met, unsigned
 from workbench.engine.reading_items import item_read
@@ -40,13 +40,13 @@ class Slot:
     """One place that ticks: statements of ``function`` that run one after another, in one block.
 
     ``lines`` are those of its file on which they begin, ``block`` the number of their titled block or
-    ``NO_BLOCK``, ``expressions`` what runs there, as nodes.
+    ``NO_BLOCK``, ``written`` the operations that run there.
     """
 
     function: str
     lines: tuple[int, ...]
     block: int
-    expressions: tuple[ast.AST, ...]
+    written: Operations
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,7 +69,6 @@ class Lowered:
     titles: tuple[str, ...] = ()
 
 
-@lru_cache(maxsize=512)
 def lower(
     function: Callable[..., Any],
     variant: Variant = "plain",
@@ -284,7 +283,7 @@ class _Ticking(_Rewriter):
                 tick = self._tick(node, node.target, node.iter)
                 block = self.slots[self.open].block
                 number = len(self.slots)
-                self.slots.append(Slot(self.text.name, (node.lineno,), block, ()))
+                self.slots.append(Slot(self.text.name, (node.lineno,), block, Operations()))
                 body = self._suite(node.body, lambda line: self._mark(number, line))
                 last = self._mark(number, _after(node))
                 other = self._suite(node.orelse, again)
@@ -306,14 +305,13 @@ class _Ticking(_Rewriter):
     def _tick(self, node: ast.stmt, *expressions: ast.AST) -> list[ast.stmt]:
         """The lines that note that ``node`` runs: none where the slot before it runs as often."""
         block = self.of_line.get(node.lineno, NO_BLOCK)
-        kept = tuple(copy.deepcopy(expression) for expression in expressions)
         if self.open >= 0 and self.slots[self.open].block == block:
             before = self.slots[self.open]
             lines = before.lines if node.lineno in before.lines else (*before.lines, node.lineno)
-            self.slots[self.open] = replace(before, lines=lines, expressions=(*before.expressions, *kept))
+            self.slots[self.open] = replace(before, lines=lines, written=before.written.and_in(expressions))
             return []
         self.open = len(self.slots)
-        self.slots.append(Slot(self.text.name, (node.lineno,), block, kept))
+        self.slots.append(Slot(self.text.name, (node.lineno,), block, Operations().and_in(expressions)))
         return self._mark(self.open, node.lineno)
 
     def _mark(self, number: int, line: int) -> list[ast.stmt]:
@@ -383,7 +381,8 @@ def _binding(text: Text, name: str, value: Any) -> str:
     if isinstance(value, type) and issubclass(value, tuple) and hasattr(value, "_fields"):
         if value.__module__ == "__main__" or "<" in value.__qualname__:
             raise text.error(_("the record {name} must be at the top level of a file").format(name=name))
-        fields = " ".join(value._fields)
+        defaults = [repr(each) for each in getattr(value, "_field_defaults", {}).values() if _plain(each)]
+        fields = " ".join([*value._fields, *defaults])
         return f"from {value.__module__} import {value.__name__} as {name}  # {fields}"
     if inspect.isbuiltin(value) and getattr(value, "__module__", "") == "math":
         return f"from math import {value.__name__} as {name}"

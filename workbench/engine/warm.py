@@ -24,6 +24,7 @@ from workbench.algorithms import catalogue
 from workbench.algorithms.entry import Entry
 from workbench.engine import batches, compiled, counts, kernel_files, touches
 from workbench.engine.arguments import kinds, only_numbers
+from workbench.engine.at_hand import at_hand
 from workbench.engine.drivers import PAINTING, takes_batches
 from workbench.engine.turns import interface
 
@@ -120,7 +121,9 @@ def warm(slug: str, use: str) -> bool:
     """Whether this use of an entry needs no compilation any more."""
     entry = catalogue.get(slug)
     beside = entry.beside if use == "paint" else ()
-    return compiled.ready(entry.function, use) and all(compiled.ready(b.function, "run") for b in beside)
+    return compiled.ready(entry.function, use) and all(
+        compiled.ready_on(b.function, *b.example) for b in beside
+    )
 
 
 def module_is_warm(module: str) -> bool:
@@ -164,7 +167,7 @@ def load(slug: str, stopped: Callable[[], bool]) -> None:
         interface.wait()
         if stopped():
             return
-        if warm(slug, use):
+        if not at_hand(entry.function, use) and warm(slug, use):
             compile_use(entry, use)
 
 

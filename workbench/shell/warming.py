@@ -116,8 +116,11 @@ class _Followed:
                     load_module(progress.slug, lambda: self._stopped)
                 tell(progress)
 
+            # What was compiled before is at hand first: only then is it asked what was not.
             for module in modules:
                 load_module(module, lambda: self._stopped)
+            for slug in slugs:
+                load(slug, lambda: self._stopped)
             self._child = Child(slugs, modules=modules)
             if self._stopped:
                 self._child.stop()
