@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 from workbench.display import RasterTiming, raster_modes
 from workbench.document.errors import DocumentError
@@ -68,10 +69,38 @@ def test_what_cannot_be_scanned_has_no_calls_and_a_sentence() -> None:
     assert "more than a tube can show" in fault_of(SHEET, wide)
 
 
+@pytest.mark.parametrize("own", [None, (0.0, float(0xFFB000)), (float(0x000080), 0.0)])
+def test_one_bit_tells_what_is_drawn_from_the_background(own: tuple[float, ...] | None) -> None:
+    picture = frame_buffer(SHEET)
+    paper = SHEET.palette[SHEET.background]
+    given = {} if own is None else {"own_table": True, "table": own}
+    scan = scan_of(SHEET, checked(with_given(USUAL, depth=1, **given)))
+    assert scan is not None
+    assert np.array_equal(scan.buffer.bits, picture != paper)
+    assert 0 < scan.buffer.bits.sum() < picture.size
+    table = (paper, 0xFFFFFF) if own is None else tuple(map(int, own))
+    assert np.array_equal(scan.buffer.shown, np.array(table)[scan.buffer.bits])
+
+
+def test_on_white_paper_one_bit_draws_black() -> None:
+    sheet = replace(SHEET, palette=(0xFFFFFF, *SHEET.palette[1:]), background=0)
+    assert table_of(sheet, with_given(USUAL, depth=1)) == (0xFFFFFF, 0)
+
+
+def test_what_is_lost_is_counted_in_the_pixels_that_the_mode_scans() -> None:
+    subject = checked(with_given(USUAL, mode="vga-640x480-60", at_mode=True, depth=1))
+    scan = scan_of(SHEET, subject)
+    assert scan is not None
+    whole = scan_of(SHEET, with_given(subject, depth=24))
+    assert whole is not None
+    assert scan.buffer.bits.size == 640 * 480
+    assert scan.buffer.loss.changed == int((scan.buffer.shown != whole.buffer.shown).sum())
+
+
 def test_an_own_table_is_taken_even_when_it_is_short() -> None:
     subject = checked(with_given(USUAL, depth=2, own_table=True, table=(0.0, float(0xFF0000), -5.0)))
     assert depth_of(subject) == 2
-    assert table_of(subject) == (0, 0xFF0000, 0)
+    assert table_of(SHEET, subject) == (0, 0xFF0000, 0)
     scan = scan_of(SHEET, subject)
     assert scan is not None
     assert set(np.unique(scan.buffer.shown)) <= {0, 0xFF0000}

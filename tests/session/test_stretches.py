@@ -116,6 +116,75 @@ def test_a_place_wanted_while_it_is_recorded_is_reached(qtbot: QtBot) -> None:
     run.clear()
 
 
+def test_what_is_told_on_the_way_to_another_stretch_is_the_step_that_was_asked_for(
+    qtbot: QtBot, run: Run
+) -> None:
+    run.go_to_number(20)
+    told: list[int | None] = []
+    run.moved.connect(lambda: told.append(run.target))
+    run.stay_at(317)
+    finish(qtbot, run)
+    assert told
+    assert set(told) == {317}
+
+
+@pytest.mark.parametrize("number", [2, 40])
+def test_a_step_asked_for_by_number_stays_where_another_run_is_longer(qtbot: QtBot, number: int) -> None:
+    run = Run()
+    for length in (40, 300):
+        run.follow(Subject(ids=("figure",)), [Call(BRESENHAM, (0, 0, length, 13))], (420, 140))
+        if length == 40:
+            finish(qtbot, run)
+            run.stay_at(number)
+    finish(qtbot, run)
+    assert (run.number, run.target, run.total_steps) == (number, number, 300)
+    run.clear()
+
+
+def test_the_end_of_a_longer_run_is_gone_to_once_when_all_of_it_is_recorded(qtbot: QtBot) -> None:
+    run = Run()
+    run.follow(Subject(ids=("figure",)), [Call(BRESENHAM, (0, 0, 40, 13))], (4200, 140))
+    finish(qtbot, run)
+    run.last()
+    run.follow(Subject(ids=("figure",)), [Call(BRESENHAM, (0, 0, 4000, 13))], (4200, 140))
+    places: list[int] = []
+    run.moved.connect(lambda: places.append(run.number))
+    finish(qtbot, run)
+    assert places[-1] == run.total_steps == 4000
+    assert all(place <= 40 for place in places[:-1])
+    run.clear()
+
+
+def test_the_end_asked_for_before_it_is_recorded_is_gone_to_once(qtbot: QtBot) -> None:
+    run = Run()
+    run.follow(Subject(ids=("figure",)), [Call(BRESENHAM, (0, 0, 4000, 13))], (4200, 140))
+    assert not run.done
+    places: list[int] = []
+    run.moved.connect(lambda: places.append(run.number))
+    run.last()
+    finish(qtbot, run)
+    assert places[-1] == run.total_steps == 4000
+    assert len(places) <= 2
+    run.last()
+    run.stay_at(7)
+    assert run.number == 7
+    run.clear()
+
+
+def test_the_end_of_a_run_in_stretches_is_that_of_the_whole_run(qtbot: QtBot) -> None:
+    run = Run()
+    run.limit = LIMIT
+    run.follow(Subject(ids=("figure",)), [Call(BRESENHAM, LINE)], (420, 140))
+    run.last()
+    finish(qtbot, run)
+    if compiled.available():
+        qtbot.waitUntil(lambda: run.done and run.number == 400, timeout=20_000)
+        shows(run, 400)
+    else:
+        shows(run, run.last_position)
+    run.clear()
+
+
 def test_another_input_keeps_the_step(qtbot: QtBot, run: Run) -> None:
     run.go_to_number(300)
     finish(qtbot, run)

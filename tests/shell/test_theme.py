@@ -4,7 +4,7 @@ import re
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QColor
+from PySide6.QtGui import QAction, QColor
 from PySide6.QtWidgets import (
     QApplication,
     QComboBox,
@@ -204,3 +204,14 @@ def test_the_focus_leaves_the_words_of_a_choice_their_room(qtbot: QtBot, chosen:
         )
         assert words.width() >= box.fontMetrics().horizontalAdvance(box.currentText())
         assert 0 < arrow.left() - words.right() <= 8
+
+
+def test_an_action_that_can_be_ticked_shows_its_tick_in_a_menu_and_no_icon(qapp: QApplication) -> None:
+    action, plain = QAction("Labels"), QAction("Copy")
+    set_icon(action, "play")
+    set_icon(plain, "play")
+    assert action.isIconVisibleInMenu()
+    action.setCheckable(True)
+    assert not action.isIconVisibleInMenu()
+    assert not action.icon().isNull()
+    assert plain.isIconVisibleInMenu()

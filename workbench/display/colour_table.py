@@ -16,6 +16,7 @@ DIRECT = 24
 """With so many bits a pixel holds its colour itself, eight bits for each of three ramps."""
 
 BLACK, WHITE = 0x000000, 0xFFFFFF
+_MIDDLE = 3 * 255 / 2
 _SIXTEEN = (
     0x000000, 0x0000AA, 0x00AA00, 0x00AAAA, 0xAA0000, 0xAA00AA, 0xAA5500, 0xAAAAAA,
     0x555555, 0x5555FF, 0x55FF55, 0x55FFFF, 0xFF5555, 0xFF55FF, 0xFFFF55, 0xFFFFFF,
@@ -33,8 +34,12 @@ def ramp(count: int, last: int = WHITE, first: int = BLACK) -> Table:
     return tuple((levels @ (65536, 256, 1)).tolist())
 
 
-def usual_table(bits: int) -> Table:
-    """What a table holds at first: black and white, four greys, 16 colours, or 8 x 8 x 4 levels."""
+def usual_table(bits: int, background: int = BLACK) -> Table:
+    """What a table holds at first: the background and white (black on a bright one), four greys, 16 colours,
+    or 8 x 8 x 4 levels.
+    """
+    if bits == 1:
+        return background, WHITE if int(channels_of(np.array([background])).sum()) < _MIDDLE else BLACK
     if bits == 4:
         return _SIXTEEN
     if bits == 8:
@@ -103,11 +108,12 @@ class FrameBuffer:
     loss: Loss
 
 
-def stored(image: NDArray[np.uint32], depth: int, table: Table) -> FrameBuffer:
+def stored(image: NDArray[np.uint32], depth: int, table: Table, background: int | None = None) -> FrameBuffer:
     """``image`` (h, w), 0xRRGGBB, in a frame buffer of ``depth`` bits: each pixel gets the nearest entry.
 
     Nearest is by the sum of squared differences of the channels, of equals the first. Entries beyond
-    2 ** depth are left out; an empty table shows black.
+    2 ** depth are left out; an empty table shows black. One bit tells a ``background`` that is given from
+    all else: with two entries the background gets the first, any other colour the second.
     """
     flat = image.ravel()
     begins = np.flatnonzero(np.concatenate(([True], flat[1:] != flat[:-1])))
@@ -116,7 +122,8 @@ def stored(image: NDArray[np.uint32], depth: int, table: Table) -> FrameBuffer:
     made = entries
     if depth < DIRECT:
         kept = np.array(table[: 1 << depth] or (BLACK,), np.int64)
-        entries = _nearest(colours, kept)
+        tells_background = background is not None and depth == 1 and len(kept) > 1
+        entries = (colours != background).astype(np.int64) if tells_background else _nearest(colours, kept)
         made = kept[entries]
     lengths = np.diff(np.append(begins, flat.size))
     bits = np.repeat(entries[which], lengths).astype(np.uint32).reshape(image.shape)

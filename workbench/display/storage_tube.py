@@ -44,6 +44,10 @@ def transfer_s(strokes: int) -> float:
     return strokes * BYTES_PER_VECTOR * BITS_PER_BYTE / BAUD
 
 
+STORAGE_PHOSPHOR = "P1"
+"""What a storage tube is coated with."""
+
+
 class StorageTube:
     """A face of ``size_px`` (columns, rows) and ``size_mm``. ``threshold`` is the energy of a pass per pixel,
     in shares of that of a stroke at the tube's writing speed, from which on it is kept. Time is in seconds.
@@ -63,7 +67,7 @@ class StorageTube:
         self._trace = np.zeros((rows, columns), np.float32)
         self._since_written = 0.0
         self._erasing = -1.0
-        self._phosphor = Phosphor.named("P1")
+        self._phosphor = Phosphor.named(STORAGE_PHOSPHOR)
 
     def continue_from(self, before: "StorageTube") -> None:
         """Be as old as a tube of another size, and as far in an erasure, so that neither begins anew."""

@@ -21,7 +21,6 @@ from workbench.session.emissions import event_on_line, event_touching, painted
 from workbench.session.recorded_run import RecordedRun
 from workbench.session.variables import differing, in_order
 
-_FAR = 2**53
 _MOST_LINES = 100_000
 
 
@@ -39,28 +38,45 @@ class Cursor(RecordedRun):
         self.before: Callable[[], str] = str
         self._position = 0
         self._wanted: int | None = None
+        self._to_end = self._stays = False
         self._seen = 0
         self.changed.connect(self.moved)
+        self.grown.connect(self._go_to_known_end)
 
     def _leaving(self, same: bool) -> None:
-        if same and self.done and 0 < self._position >= self.last_position:
-            self._wanted = _FAR
-        elif same:
-            self._wanted = self.passed + self._position if self._wanted is None else self._wanted
-        else:
+        if not same:
             self._wanted = None
+            self._to_end = self._stays = False
             self._seen = 0
+        elif self._wanted is None:
+            self._wanted = self.number
+            self._to_end = self._to_end or (self._is_at_last and not self._stays)
         self._position = 0
+
+    @property
+    def _is_at_last(self) -> bool:
+        """Whether no step follows, in a run that is recorded as far as it will be."""
+        return self.done and not self.goes_on and 0 < self._position >= self.last_position
 
     def _recorded(self, done: bool) -> None:
         if self._wanted is None:
             return
         wanted = self._wanted
-        self._move_to(wanted)
-        if done or wanted <= self.last_position:
+        position = wanted - self._before_stretch
+        self._move_to(position)
+        if done or position <= self.last_position:
             self._wanted = None
-        if self.last_position < wanted < _FAR and self.goes_on and not self.passed:
+        if self.last_position < position and self.goes_on and not self.passed:
             self.go_to_number(wanted)
+
+    def _go_to_known_end(self) -> None:
+        """Where the end was asked for and all of the run is known by now, go there."""
+        if self._to_end and self._knows_end:
+            self.last()
+
+    @property
+    def _knows_end(self) -> bool:
+        return self.done and (self.detail or not self.goes_on or self.total_steps is not None)
 
     # Where the cursor is
 
@@ -72,9 +88,9 @@ class Cursor(RecordedRun):
     @property
     def target(self) -> int | None:
         """Number where the cursor is, or is going once that is recorded; None for an end not yet known."""
-        if self._wanted is None:
-            return self.number
-        return None if self._wanted >= _FAR else self._wanted + (0 if self.detail else self.passed)
+        if self._to_end and not self.done:
+            return None
+        return self.number if self._wanted is None else self._wanted
 
     @property
     def ended(self) -> bool:
@@ -122,7 +138,12 @@ class Cursor(RecordedRun):
     @property
     def number(self) -> int:
         """What the position is called: the step of the whole run, or in detail the line of the stretch."""
-        return self._position if self.detail else self.passed + self._position
+        return self._before_stretch + self._position
+
+    @property
+    def _before_stretch(self) -> int:
+        """What is counted before the first position."""
+        return 0 if self.detail else self.passed
 
     def _event(self) -> int:
         """The line event shown; -1 when nothing is recorded."""
@@ -249,13 +270,23 @@ class Cursor(RecordedRun):
         beyond = position > self.last_position and self.goes_on
         if self.detail or not (beyond or (self.passed > 0 and position < 1)):
             self.go(position)
-        elif self.record_around(number):
-            self._wanted = self._seen = max(number - self.passed, 0)
-            self._move_to(self._wanted)
+        else:
+            self._wanted = number  # first: who is told of the stretch asks where it leads
+            self._to_end = self._stays = False
+            if self.record_around(number):
+                position = self._seen = max(number - self.passed, 0)
+                self._move_to(position)
+
+    def stay_at(self, number: int) -> None:
+        """Move to a step of the whole run; another input leaves it there, be it the last one now."""
+        self.go_to_number(number)
+        self._stays = True
 
     def go(self, position: int) -> None:
         """Move to ``position``, or as far as there is; further as soon as that is recorded."""
-        self._wanted = position if position > self.last_position and not self.done else None
+        beyond = position > self.last_position and not self.done
+        self._wanted = position + self._before_stretch if beyond else None
+        self._to_end = self._stays = False
         self._move_to(position)
 
     def _move_to(self, position: int) -> None:
@@ -283,9 +314,11 @@ class Cursor(RecordedRun):
         self.go_to_number(0)
 
     def last(self) -> None:
-        """To the end of the run, or as far as it is recorded and its length is known."""
-        last = self.last_position
-        self.go_to_number(last if self.detail else max(self.passed + last, self.total_steps or 0))
+        """To the end of the run, or as far as it is recorded, and to its end when that is known."""
+        known = self._knows_end
+        last = self._before_stretch + self.last_position
+        self.go_to_number(max(last, self.total_steps or 0) if known and not self.detail else last)
+        self._to_end = not known
 
     def set_detail(self, detail: bool) -> None:
         """Count lines, or rows of the hand table; the cursor stays in its step."""

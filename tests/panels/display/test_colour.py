@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtWidgets import QAbstractButton, QComboBox, QSlider
+from PySide6.QtWidgets import QAbstractButton, QComboBox, QSlider, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.panels.by_hand import keep_until_the_end
@@ -14,9 +14,11 @@ from workbench.document.subjects import Subject
 from workbench.exchange.diagram_svg import write_diagram
 from workbench.exchange.diagrams import Drawing, Heading, Sentence
 from workbench.panels.display.colour.page import ColourPage
+from workbench.panels.display.colour.sliders import Coordinate, NumberSlider
 from workbench.panels.display.panel import DisplayPanel
 from workbench.rendering.subjects.colour_model import hsv_of, rgb_of
 from workbench.session.session import Session
+from workbench.widgets.fields.number_field import complaint_label
 
 EXAMPLE = "colour-bars"
 
@@ -309,3 +311,14 @@ def test_the_derivation_works_out_the_colour_and_the_layers(page: ColourPage, se
     text = " ".join(block.text for block in page.derivation().blocks if isinstance(block, Sentence))
     assert "A grey has no hue." in text
     assert "all of the energy stays in the red layer" in text
+
+
+@pytest.mark.parametrize(("room", "slides"), [(-1, False), (0, True), (90, True)])
+def test_a_slider_never_covers_the_unit_of_its_number(qtbot: QtBot, room: int, slides: bool) -> None:
+    place = QWidget()
+    part = NumberSlider(Coordinate("x", "Red beam, to the right", 5.0, "mm"), complaint_label(), place)
+    put_on_screen(qtbot, place, 300, 30)
+    part.resize(part.field.sizeHint().width() + 36 + room, 30)
+    assert part.slider.isVisible() == slides
+    if slides:
+        assert part.slider.geometry().left() > part.field.geometry().right()

@@ -267,3 +267,18 @@ def test_the_controls_are_all_seen_on_a_page_of_a_small_screen(panel: TubesPage,
     qtbot.waitUntil(lambda: panel.width() == 800)
     qtbot.waitUntil(lambda: panel.strip.height() >= panel.controls.height())
     assert lies_whole(panel.controls)
+
+
+@pytest.mark.parametrize(("height", "low"), [(360, True), (560, False)])
+def test_on_a_low_page_the_tubes_have_the_room_of_the_instruments(
+    session: Session, qtbot: QtBot, height: int, low: bool
+) -> None:
+    page = TubesPage(session)
+    put_on_screen(qtbot, page, 600, height)
+    assert page.instruments.isHidden() == low
+    assert page.controls.instruments.isHidden() != low
+    before = page.raster.height()
+    page.controls.instruments.click()
+    qtbot.waitUntil(page.instruments.isVisible)
+    if low:
+        qtbot.waitUntil(lambda: page.raster.height() < before)

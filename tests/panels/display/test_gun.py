@@ -8,6 +8,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QAbstractButton, QApplication, QComboBox, QDial, QPushButton, QSlider
 from pytestqt.qtbot import QtBot
 
+from tests.panels.by_hand import keep_until_the_end
 from workbench.algorithms.scanning.electron_beam_views import (
     ANODE,
     CATHODE,
@@ -26,6 +27,7 @@ from workbench.panels.display.gun.presets import presets
 from workbench.rendering.subjects.gun import gun_of, settings_of, with_settings
 from workbench.session.session import Session
 from workbench.widgets.fields.number_field import EntryLine
+from workbench.widgets.stepping.sentence_view import SentenceView
 
 
 @pytest.fixture
@@ -363,3 +365,14 @@ def test_phosphors_are_listed_in_units_that_are_read_at_a_glance(gun_page: GunPa
     assert "P33  orange, 5 s (uncertain)" in titles
     assert "P31  green, 340 µs" in titles
     assert "P3  amber, 19 ms" in titles
+
+
+def test_the_exponent_of_the_grid_s_formula_is_raised(
+    gun_page: GunPage, session: Session, qtbot: QtBot
+) -> None:
+    sentence = SentenceView(session.run)
+    keep_until_the_end(qtbot, sentence)
+    session.run.go_to_number(2)
+    sentence.refresh()
+    assert ")<sup>γ</sup>" in sentence.text()
+    assert "^" not in sentence.text()

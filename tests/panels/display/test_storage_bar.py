@@ -24,6 +24,9 @@ def test_a_storage_tube_keeps_what_was_written(page: VectorPage, session: Sessio
     assert tube is not None
     assert tube.stored.any()
     assert "no flicker" in page.storage_bar.note.text()
+    assert page.bar.phosphor.currentData() == "P1"
+    assert not page.bar.phosphor.isEnabled()
+    assert session.state.tube.phosphor == "P31"  # for the tube that is refreshed
     assert "64 · 40 / 9600 = 0.267 s" in page.sums.text()
     stored = tube.stored.copy()
     typed(page, 1, X, "30")

@@ -68,13 +68,34 @@ def test_on_a_low_page_the_strip_scrolls(qtbot: QtBot) -> None:
     area.fit(120, 400)
     assert area.height() == 70
     area.fit(120, 100)
-    assert area.height() == 30
+    assert area.height() == 20
 
 
 def test_less_than_half_a_row_is_not_scrolled(qtbot: QtBot) -> None:
     area = FlowArea(strip([100, 100, 100]), most=0.3)
     qtbot.addWidget(area)
     area.show()
-    for page_height, height in ((230, 70), (200, 70), (190, 57)):
+    for page_height, height in ((230, 70), (200, 70), (190, 45)):
         area.fit(120, page_height)
         assert area.height() == height
+
+
+def test_a_part_that_grows_into_another_row_is_not_cut(qtbot: QtBot) -> None:
+    made = strip([100, 100, 100])
+    area = FlowArea(made)
+    qtbot.addWidget(area)
+    area.resize(340, 20)
+    area.show()
+    area.fit(340, 1000)
+    assert area.height() == 20
+    made.findChildren(QLabel)[1].setFixedWidth(140)
+    qtbot.waitUntil(lambda: area.height() == 45)
+
+
+@pytest.mark.parametrize(("page_height", "rows"), [(30, 1), (120, 1), (150, 2), (225, 3)])
+def test_a_strip_that_scrolls_ends_with_a_whole_row(qtbot: QtBot, page_height: int, rows: int) -> None:
+    made = strip([100, 100, 100, 100, 100])
+    area = FlowArea(made)
+    qtbot.addWidget(area)
+    area.fit(150, page_height)
+    assert area.height() == 25 * rows - 5

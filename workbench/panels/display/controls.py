@@ -165,6 +165,11 @@ class DisplayControls(QWidget):
             button.setCheckable(True)
             self.views.addButton(button, number)
         self.views.idClicked.connect(lambda number: self._set(shown=self._shown[number]))
+        self.instruments = self._button(
+            row, "chart-line", _("Instruments"), _("Show beam current, deflection and light below the tubes")
+        )
+        self.instruments.setCheckable(True)
+        self.instruments.hide()
         row.addSpacing(8)
 
     def _make_steps(self, row: QHBoxLayout) -> None:

@@ -21,10 +21,11 @@ from workbench.widgets.tube.view import TubeView
 
 _SIDE_PX = 12
 _MOST_STRIP, _MOST_INSTRUMENTS = 0.27, 0.26
+_LOW_PX = 420
 
 
 class TubesPage(PlainPage, QWidget):
-    """Two tubes in the middle, controls above, instruments below."""
+    """Two tubes in the middle, controls above, instruments below; on a low page where they are asked for."""
 
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -52,6 +53,7 @@ class TubesPage(PlainPage, QWidget):
         whole.addWidget(self.instruments)
         self.feed = TubeFeed(session, [self.raster, self.vector], self)
         self.controls.stepped.connect(self._step)
+        self.controls.instruments.toggled.connect(lambda _on: self._share_height())
         self.controls.calm.flash_wanted.connect(lambda: self.warning.ask(self._flash_hz()))
         for tube in (self.raster, self.vector):
             tube.probed.connect(lambda _x, _y, t=tube: self._watch(t))
@@ -66,8 +68,14 @@ class TubesPage(PlainPage, QWidget):
     def resizeEvent(self, event: QResizeEvent) -> None:
         """The strip has the rows that it needs; on a low page the instruments leave the tubes room."""
         super().resizeEvent(event)
-        self.instruments.setMaximumHeight(int(_MOST_INSTRUMENTS * event.size().height()))
+        self._share_height()
         self.strip.fit(event.size().width() - 2 * _SIDE_PX, event.size().height())
+
+    def _share_height(self) -> None:
+        low = self.height() < _LOW_PX
+        self.controls.instruments.setVisible(low)
+        self.instruments.setMaximumHeight(int(_MOST_INSTRUMENTS * self.height()))
+        self.instruments.setVisible(not low or self.controls.instruments.isChecked())
 
     def copy(self) -> bool:
         """Put the tube that is measured, as it glows now, on the clipboard."""

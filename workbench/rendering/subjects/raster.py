@@ -98,10 +98,15 @@ def depth_of(subject: Subject) -> int:
     return next(depth for depth in DEPTHS if depth >= int(given(subject, "depth")))
 
 
-def table_of(subject: Subject) -> Table:
+def paper_of(sheet: Sheet) -> int:
+    """The colour, 0xRRGGBB, of the pixels of a sheet on which nothing is drawn."""
+    return sheet.palette[sheet.background % len(sheet.palette)]
+
+
+def table_of(sheet: Sheet, subject: Subject) -> Table:
     """The colours of the table, 0xRRGGBB: the subject's own, or those that the depth usually has."""
     if not given(subject, "own_table"):
-        return usual_table(depth_of(subject))
+        return usual_table(depth_of(subject), paper_of(sheet))
     return tuple(min(max(int(colour), 0), 0xFFFFFF) for colour in given(subject, "table"))
 
 
@@ -158,15 +163,13 @@ def scan_of(sheet: Sheet, subject: Subject) -> Scan | None:
     """The picture of a sheet as it is stored and scanned; None where ``fault_of`` says why not."""
     if fault_of(sheet, subject):
         return None
-    key = timing_of(sheet, subject), depth_of(subject), table_of(subject), can_be_lit(sheet)
+    key = timing_of(sheet, subject), depth_of(subject), table_of(sheet, subject), can_be_lit(sheet)
     for known, wanted, scan in _latest:
         if known is sheet and wanted == key:
             return scan
     timing, depth, table, _lit = key
     left, bottom, right, top = area_mm((sheet.width_px, sheet.height_px))
-    buffer = stored(whole_picture(sheet), depth, table)
-    if buffer.bits.shape != (timing.v_active, timing.h_active):
-        buffer = replace(buffer, bits=resampled(buffer.bits, timing), shown=resampled(buffer.shown, timing))
+    buffer = stored(resampled(whole_picture(sheet), timing), depth, table, paper_of(sheet))
     scan = Scan(timing, buffer, (right - left, top - bottom))
     _latest.insert(0, (sheet, key, scan))
     del _latest[_KEPT:]

@@ -1,6 +1,6 @@
 """Widgets in a row that goes on in further rows where it has no room: none of them is ever cut."""
 
-from PySide6.QtCore import QPoint, QRect, QSize, Qt
+from PySide6.QtCore import QEvent, QObject, QPoint, QRect, QSize, Qt
 from PySide6.QtWidgets import QFrame, QLayout, QLayoutItem, QScrollArea, QSizePolicy, QWidget
 
 
@@ -86,6 +86,16 @@ class FlowLayout(QLayout):
             y += height + self._down
         return max(y - rect.y() - self._down, 0)
 
+    def whole_rows(self, width: int, most: int) -> int:
+        """The height of those rows at this width that end within ``most``, of the first in any case."""
+        bottom, height = -self._down, 0
+        for row in self._rows(width):
+            bottom += self._down + max(item.sizeHint().height() for item in row)
+            if height and bottom > most:
+                break
+            height = bottom
+        return height
+
     def _place(self, row: list[QLayoutItem], rect: QRect) -> None:
         wishes = [item.sizeHint().width() for item in row]
         left = rect.width() - sum(wishes) - self._across * (len(row) - 1)
@@ -117,6 +127,7 @@ class FlowArea(QScrollArea):
     def __init__(self, strip: QWidget, most: float = 0.34) -> None:
         super().__init__()
         self._strip, self._most = strip, most
+        self._room: tuple[int, int] | None = None
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setWidgetResizable(True)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
@@ -125,7 +136,10 @@ class FlowArea(QScrollArea):
         strip.setAutoFillBackground(False)
 
     def fit(self, width: int, page_height: int) -> None:
-        """Take the height that the strip needs in so much width, on a page so high."""
+        """Take the height that the strip needs in so much width, on a page so high; from then on also when
+        its parts become others.
+        """
+        self._room = width, page_height
         needed, most = self._strip.heightForWidth(width), int(self._most * page_height)
         scrolls = needed > most + _SPARE_PX
         policy = Qt.ScrollBarPolicy
@@ -133,5 +147,14 @@ class FlowArea(QScrollArea):
         self.setVerticalScrollBarPolicy(policy.ScrollBarAsNeeded if scrolls else policy.ScrollBarAlwaysOff)
         if scrolls:
             beside = self.verticalScrollBar().sizeHint().width()
-            needed = min(self._strip.heightForWidth(width - beside), most)
+            flow = self._strip.layout()
+            assert isinstance(flow, FlowLayout)
+            needed = flow.whole_rows(width - beside, most)
         self.setFixedHeight(max(needed, self._strip.minimumSizeHint().height()))
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """A part that has grown may begin another row."""
+        answer = super().eventFilter(watched, event)
+        if event.type() == QEvent.Type.LayoutRequest and watched is self._strip and self._room is not None:
+            self.fit(*self._room)
+        return answer

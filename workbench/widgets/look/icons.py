@@ -7,7 +7,7 @@ from functools import cache
 from typing import Any
 
 from PySide6.QtCore import QObject, QSize, Qt
-from PySide6.QtGui import QIcon, QPixmap
+from PySide6.QtGui import QAction, QIcon, QPixmap
 
 from workbench.widgets.look.tokens import theme, tokens
 
@@ -52,6 +52,9 @@ class _ThemedIcon(QObject):
     def __init__(self, owner: Any, name: str, role: str) -> None:
         super().__init__(owner)
         self._owner = owner
+        if isinstance(owner, QAction):
+            owner.checkableChanged.connect(self._leave_room_for_tick)
+            self._leave_room_for_tick(owner.isCheckable())
         self.show(name, role)
         theme.changed.connect(self.refresh)
 
@@ -59,6 +62,10 @@ class _ThemedIcon(QObject):
         """Set another icon."""
         self._name, self._role = name, role
         self.refresh()
+
+    def _leave_room_for_tick(self, checkable: bool) -> None:
+        """In a menu an icon would stand where the tick belongs."""
+        self._owner.setIconVisibleInMenu(not checkable)
 
     def refresh(self) -> None:
         """Set the icon anew."""

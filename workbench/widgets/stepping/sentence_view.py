@@ -15,6 +15,8 @@ from workbench.widgets.look.tokens import CAPTION_PX, TITLE_PX, theme, tokens
 
 # One letter with one below it, as in r_x; two_dy is a name of the program.
 _SUBSCRIPT = re.compile(r"(?<![A-Za-z_])([A-Za-z])_([a-z0-9])(?![A-Za-z0-9_])")
+# One letter raised over what it is the exponent of, as in (1 - x)^n.
+_POWER = re.compile(r"(?<=[)\w])\^(\w)(?!\w)")
 
 
 class SentenceView(QLabel):
@@ -111,6 +113,7 @@ class SentenceView(QLabel):
         pieces = []
         for number, part in enumerate(self._parts):
             text = _SUBSCRIPT.sub(r"\1<sub>\2</sub>", escape(part.text))
+            text = _POWER.sub(r"<sup>\1</sup>", text)
             if part.link is None:
                 pieces.append(text)
             else:

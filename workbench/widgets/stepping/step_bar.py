@@ -213,7 +213,7 @@ class StepBar(QWidget):
         self.jump.setModified(False)
         text = self.jump.text().strip()
         if text.isdigit():
-            self._run.go_to_number(int(text))
+            self._run.stay_at(int(text))
         self.refresh()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from workbench.display.exposure import Screen
 from workbench.display.phosphor import Phosphor
 from workbench.display.setup import DeviceStroke, face_mm, mm_of
-from workbench.display.storage_tube import StorageTube
+from workbench.display.storage_tube import STORAGE_PHOSPHOR, StorageTube
 from workbench.language import _
 from workbench.widgets.look.in_sight import InSight
 from workbench.widgets.look.tokens import colour, tokens
@@ -145,7 +145,7 @@ class StorageView(QWidget):
         size = max(width, 16), max(round(width * face[1] / face[0]), 12)
         before = self.tube
         self.tube = StorageTube(size, face, spot_mm=max(0.5, 0.7 * face[0] / size[0]))
-        self._screen = Screen(size, [rgb for _name, rgb in Phosphor.named("P1").colours])
+        self._screen = Screen(size, [rgb for _name, rgb in Phosphor.named(STORAGE_PHOSPHOR).colours])
         if self._written:
             self.tube.write(self._in_mm(self._written))
             self.tube.advance(1.0)
@@ -219,7 +219,9 @@ class StorageView(QWidget):
         if self._case.bottom() - self._glass.bottom() >= _PLATE_PX:
             top = self._case.bottom() - _PLATE_PX - 3
             plate = QRectF(self._glass.left(), top, self._glass.width(), _PLATE_PX)
-            paint_plate(painter, plate, _("STORAGE"), _("P1   no refresh"))
+            paint_plate(
+                painter, plate, _("STORAGE"), _("{phosphor}   no refresh").format(phosphor=STORAGE_PHOSPHOR)
+            )
         if self.hasFocus():
             painter.setPen(QPen(colour(tokens().accent), 2))
             painter.setBrush(Qt.BrushStyle.NoBrush)

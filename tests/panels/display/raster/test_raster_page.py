@@ -303,6 +303,11 @@ def test_what_is_lost_is_shown_side_by_side(page: RasterPage, qtbot: QtBot) -> N
     assert lost[-1] == "0 / 7"
     assert int(lost[0].split("/")[0]) >= int(lost[2].split("/")[0])
     assert not page.buffer.depths.item(0, 0).icon().isNull()
+    page.setting.give(mode="ntsc-525i", at_mode=True, depth=4)
+    page.session.flush()
+    page.buffer.refresh()
+    qtbot.waitUntil(lambda: page.buffer.depths.item(2, 1).text() == "172,800")
+    assert "of 345,600 pixels" in page.buffer.loss.text()
 
 
 def test_the_beam_is_caught_in_the_middle_of_a_line(page: RasterPage, session: Session, qtbot: QtBot) -> None:

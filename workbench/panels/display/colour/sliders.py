@@ -4,12 +4,14 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy, QSlider, QWidget
 
 from workbench.language import _
 from workbench.widgets.fields.number_field import NumberField
 
 _NOTCHES = 1000
+_LEAST_PX, _APART_PX = 30, 6
 
 
 class Coordinate(NamedTuple):
@@ -52,12 +54,12 @@ class NumberSlider(QWidget):
         self.slider.setPageStep(_NOTCHES // 10)
         self.slider.setAccessibleName(coordinate.meaning)
         self.slider.setToolTip(_("{meaning}: drag, or press the arrows").format(meaning=coordinate.meaning))
-        self.slider.setMinimumWidth(30)
+        self.slider.setMinimumWidth(_LEAST_PX)
         self.field.setMinimumWidth(self.field.sizeHint().width())
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         grid = QGridLayout(self)
         grid.setContentsMargins(0, 0, 0, 0)
-        grid.setHorizontalSpacing(6)
+        grid.setHorizontalSpacing(_APART_PX)
         grid.addWidget(self.field, 0, 0)
         grid.addWidget(self.slider, 0, 1)
         grid.setColumnStretch(1, 1)
@@ -66,6 +68,12 @@ class NumberSlider(QWidget):
         self.slider.valueChanged.connect(self._slid)
         self.slider.sliderPressed.connect(lambda: self.held.emit(True))
         self.slider.sliderReleased.connect(lambda: self.held.emit(False))
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Where there is no room for a slider beside it, the number stands alone, with its unit."""
+        super().resizeEvent(event)
+        needed = self.field.sizeHint().width() + _APART_PX + _LEAST_PX
+        self.slider.setVisible(event.size().width() >= needed)
 
     def _slid(self, notch: int) -> None:
         if not self._showing:

@@ -35,13 +35,14 @@ from workbench.display.colour_table import (
     usual_table,
 )
 from workbench.display.raster_sums import frame_buffer_bytes
+from workbench.display.scan import resampled
 from workbench.exchange import tables
 from workbench.language import _, ngettext
 from workbench.panels.display.raster.colour_grid import ColourGrid
 from workbench.panels.display.raster.setting import RasterSetting
 from workbench.panels.shared.tube_feed import picture_of
 from workbench.rendering.scene.backdrop import can_be_lit, whole_picture
-from workbench.rendering.subjects.raster import depth_of, table_of
+from workbench.rendering.subjects.raster import depth_of, paper_of, table_of
 from workbench.widgets.look.flow_layout import flowing
 from workbench.widgets.look.in_sight import InSight
 
@@ -209,7 +210,7 @@ class BufferDock(QScrollArea):
     @property
     def table(self) -> Table:
         """The table that is set now."""
-        return table_of(self._setting.subject)
+        return table_of(self._setting.sheet, self._setting.subject)
 
     def choose_depth(self, depth: int) -> None:
         """Another depth, with its usual table."""
@@ -265,11 +266,11 @@ class BufferDock(QScrollArea):
         if not self.in_sight.now:
             return
         subject = self._setting.subject
-        state = self._setting.sheet, depth_of(subject), table_of(subject)
+        state = self._setting.sheet, self._setting.timing, depth_of(subject), self.table
         if self._shown is not None and state == self._shown:
             return
         self._shown = state
-        depth, table = state[1], state[2]
+        depth, table = state[2:]
         direct = depth >= DIRECT
         self.depth_box.setCurrentIndex(self.depth_box.findData(depth))
         self.grid.show_colours(table, direct)
@@ -292,6 +293,9 @@ class BufferDock(QScrollArea):
             self.entry.setText(_("The table has no entries."))
         else:
             said = _("Entry {index} of {count}: bits {bits}")
+            if depth == 1:
+                whose = _("the background") if index == 0 else _("all that is drawn")
+                said = _("{entry}, {whose}").format(entry=said, whose=whose)
             self.entry.setText(said.format(index=index, count=len(table), bits=f"{index:0{depth}b}"))
         self.entry.setWordWrap(True)
         self.colour.setText(hexadecimal(table[index]) if index < len(table) else "")
@@ -305,9 +309,11 @@ class BufferDock(QScrollArea):
         if picture is None:
             self._shown = None  # it is shown when it has come
             return
-        self._buffers = [
-            stored(picture, depth, self.table if depth == chosen else usual_table(depth)) for depth in DEPTHS
-        ]
+        timing, paper = self._setting.timing, paper_of(sheet)
+        if timing is not None:
+            picture = resampled(picture, timing)
+        of_depths = {depth: usual_table(depth, paper) for depth in DEPTHS} | {chosen: self.table}
+        self._buffers = [stored(picture, depth, table, paper) for depth, table in of_depths.items()]
         height, width = picture.shape
         for row, buffer in enumerate(self._buffers):
             size = frame_buffer_bytes(width, height, buffer.depth)

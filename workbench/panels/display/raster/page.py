@@ -298,6 +298,7 @@ class RasterPage(PlainPage, QWidget):
         frames = int(self.tube.seconds() / timing.frame_s) + 1
         seconds = float(frames * timing.frame_s + timing.hit_s(column, row))
         tube = replace(self.session.state.tube, slow_motion=_CAUGHT_SLOW, paused=True, time_s=seconds)
+        self.session.run.first()  # and not where it was going
         self.session.update_state(tube=tube, step=0)
 
     def _probed(self, x: int, y: int) -> None:
@@ -315,7 +316,7 @@ class RasterPage(PlainPage, QWidget):
                 self.hover_text.emit(said.format(x=column, y=row))
             return
         order = [r for field in range(timing.fields) for r in range(field, timing.v_active, timing.fields)]
-        run.go_to_number(order.index(timing.v_active - 1 - row) + 1)
+        run.stay_at(order.index(timing.v_active - 1 - row) + 1)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Home, End and Space are for the run."""

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import (
 
 from workbench.display import VectorTiming, vector_displays
 from workbench.display.setup import phosphor_choices
+from workbench.display.storage_tube import STORAGE_PHOSPHOR
 from workbench.display.vector_timing import TEACHING, doubts
 from workbench.document.subjects import Argument
 from workbench.language import _
@@ -123,9 +124,12 @@ class VectorBar(QWidget):
         displays = [(each, VectorTiming.named(each).name) for each in vector_displays()]
         fill_choices(self.display, displays, name)
         phosphors = [(each, phosphor_title(each)) for each in phosphor_choices()]
-        fill_choices(self.phosphor, phosphors, self._session.state.tube.phosphor)
+        storage = bool(subject.arguments.get("storage", False))
+        tube = self._session.state.tube
+        fill_choices(self.phosphor, phosphors, STORAGE_PHOSPHOR if storage else tube.phosphor)
+        self.phosphor.setEnabled(not storage)
         self.ordered.setChecked(is_ordered(subject))
-        self.storage.setChecked(bool(subject.arguments.get("storage", False)))
+        self.storage.setChecked(storage)
         timing = VectorTiming.named(name)
         self.uncertain.setText(_("uncertain") if timing.uncertain else "")
         told = [timing.note]

@@ -168,7 +168,7 @@ class VectorPage(PlainPage, QWidget):
     def docks(self) -> Sequence[DockPart]:
         """The architecture of a random-scan system."""
         right = Qt.DockWidgetArea.RightDockWidgetArea
-        return (("random_scan_architecture", _("Architecture"), self.architecture, right),)
+        return (("random_scan_architecture", _("Random-scan system"), self.architecture, right),)
 
     def commands(self) -> list[QAction]:
         """Its commands, and the changes to the list."""
