@@ -43,6 +43,7 @@ from workbench.rendering.subjects.random_scan import MOST_LINES, shortest_ps_of,
 from workbench.session.session import Session
 from workbench.widgets.canvas.pixel_canvas import ARROWS
 from workbench.widgets.look.icons import set_icon
+from workbench.widgets.look.plain_keys import is_plain
 from workbench.widgets.plots.refresh_plot import RefreshCurve, RefreshPlot
 from workbench.widgets.tables.feature_table import FeatureTable
 from workbench.widgets.tube.lens import TubeLens
@@ -339,7 +340,7 @@ class ComparisonPage(PlainPage, QWidget):
                     self._move_glass(*cell)
             if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.KeyPress:
                 way = ARROWS.get(Qt.Key(event.key()))
-                if way is not None:
+                if way is not None and is_plain(event):
                     x, y = lens_of(self._sheet, self.session.state.subject)
                     far = 5 if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1
                     self._move_glass(round(x) + far * way[0], round(y) + far * way[1])
