@@ -4,7 +4,6 @@ from collections.abc import Sequence
 from dataclasses import replace as replace_setup
 from functools import partial
 
-import numpy as np
 from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal
 from PySide6.QtGui import (
     QAction,
@@ -27,7 +26,7 @@ from workbench.exchange.tables import Table
 from workbench.language import _
 from workbench.panels.display.comparison.bar import ComparisonBar
 from workbench.panels.display.comparison.derivation import derivation
-from workbench.panels.display.comparison.facts import Facts, features, measured
+from workbench.panels.display.comparison.facts import DARK, Facts, features, measured
 from workbench.panels.panel import DockPart, KeysWhileSeen, Said
 from workbench.panels.shared.lighting import Lighting
 from workbench.panels.shared.tube_feed import setup_of
@@ -52,7 +51,6 @@ from workbench.widgets.tube.stroke_view import StrokeView, Trace
 from workbench.widgets.tube.view import TubeView
 
 PAGE = "comparison"
-_NOTHING = np.zeros((3, 4), np.uint32)
 _PLOT_PX, _LOW_PX = 140, 400
 
 
@@ -70,7 +68,7 @@ class ComparisonPage(PlainPage, QWidget):
         self.session = session
         self._waiting = False
         self.facts: Facts | None = None
-        self._image = _NOTHING
+        self._image = DARK
         self._fed: dict[TubeView, object] = {}
         self._measured: object = None
         self._lighting = Lighting(self.refresh_soon, self)
