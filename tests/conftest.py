@@ -51,7 +51,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 @pytest.hookimpl(optionalhook=True)
 def pytest_xdist_auto_num_workers() -> int:
-    """One more than there are cores, as many tests wait for a process that they started or for a time to pass."""
+    """One more than there are cores, as many tests wait for a process or for a time to pass."""
     return (os.cpu_count() or 1) + 1
 
 

@@ -78,9 +78,39 @@ def test_what_fails_is_told_and_not_made_again(qtbot: QtBot, monkeypatch: pytest
     assert [type(each) for each in told] == [ValueError]
 
 
-def test_another_document_takes_what_waited(qtbot: QtBot) -> None:
+def test_nothing_is_kept_of_a_document_that_was_closed(qtbot: QtBot) -> None:
+    """Neither what was there, nor what waited, nor what was still worked on."""
+    ahead, sheet = Ahead(), sheet_of(400)
+    go_on, made = threading.Event(), []
+
+    def make(number: int) -> int:
+        made.append(number)
+        assert go_on.wait(20)
+        return number
+
+    def ask(number: int) -> int | None:
+        return ahead.of(sheet, f"number {number}", lambda: make(number))
+
+    go_on.set()
+    ask(0)
+    qtbot.waitUntil(lambda: ask(0) == 0)
+    go_on.clear()
+    assert (ask(1), ask(2)) == (None, None)
+    qtbot.waitUntil(lambda: made == [0, 1])
+    ahead.forget()
+    with qtbot.assertNotEmitted(ahead.arrived):
+        go_on.set()
+        qtbot.waitUntil(lambda: not ahead.busy)
+    assert made == [0, 1]
+    assert (ask(0), ask(1)) == (None, None)
+    qtbot.waitUntil(lambda: (ask(0), ask(1)) == (0, 1))
+    assert made == [0, 1, 0, 1]
+
+
+def test_what_is_forgotten_while_it_is_worked_on_is_made_again_where_it_is_asked_for(qtbot: QtBot) -> None:
+    """As where the same file is opened once more."""
     ahead, sheet = Ahead(), sheet_of(400)
     assert ahead.of(sheet, "thread", here) is None
     ahead.forget()
-    qtbot.wait(50)
+    assert ahead.of(sheet, "thread", here) is None
     qtbot.waitUntil(lambda: ahead.of(sheet, "thread", here) is not None)

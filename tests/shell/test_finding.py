@@ -95,7 +95,7 @@ def test_a_page_is_found_from_another_workspace_and_leads_there(
     assert shown == [workspace, page]
 
 
-def test_the_pages_of_the_workspace_one_is_in_are_offered_once(qtbot: QtBot) -> None:
+def test_pages_are_offered_of_the_other_workspaces_alone(qtbot: QtBot) -> None:
     window = make_window()
     qtbot.addWidget(window)
     window.attach(Session(window, example_document()))

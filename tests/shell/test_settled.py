@@ -1,11 +1,13 @@
 """A picture of the window waits for what is still to come in it."""
 
+import threading
 from fractions import Fraction
 from types import SimpleNamespace
 
 from PySide6.QtWidgets import QMainWindow
 from pytestqt.qtbot import QtBot
 
+from tests.session.test_ahead import sheet_of
 from workbench.session.ahead import Ahead
 from workbench.shell.settled import has_settled, when_settled
 from workbench.widgets.tube.view import TubeView
@@ -38,9 +40,11 @@ def test_it_waits_for_the_picture_of_a_tube_that_is_seen(qtbot: QtBot) -> None:
 
 
 def test_it_waits_for_what_is_worked_on_of_a_large_sheet(qtbot: QtBot) -> None:
-    window = QMainWindow()
+    window, ahead, go_on = QMainWindow(), Ahead(), threading.Event()
     qtbot.addWidget(window)
-    window.session = SimpleNamespace(ahead=Ahead(window))  # type: ignore[attr-defined]
+    window.session = SimpleNamespace(ahead=ahead)  # type: ignore[attr-defined]
     assert has_settled(window)  # type: ignore[arg-type]
-    window.session.ahead._working = ()  # type: ignore[attr-defined]
+    ahead.of(sheet_of(400), "event", lambda: go_on.wait(20))
     assert not has_settled(window)  # type: ignore[arg-type]
+    go_on.set()
+    qtbot.waitUntil(lambda: has_settled(window))  # type: ignore[arg-type]

@@ -260,8 +260,7 @@ def place_labels(
     where there is none at all, labels lie over one another.
     """
     told = tuple(told)
-    clear = clear_labels(told, gun, size_of, gap, room)
-    return clear or _placed(told, gun, size_of, gap, room, None)
+    return clear_labels(told, gun, size_of, gap, room) or near_labels(told, gun, size_of, gap, room)
 
 
 def clear_labels(
@@ -269,6 +268,13 @@ def clear_labels(
 ) -> tuple[PlacedLabel, ...]:
     """As ``place_labels`` where there is room for all of them to cover nothing; else none of them."""
     return _placed(told, gun, size_of, gap, room, _lines(gun))
+
+
+def near_labels(
+    told: Iterable[Label], gun: Gun, size_of: Callable[[Label], tuple[float, float]], gap: float, room: Box
+) -> tuple[PlacedLabel, ...]:
+    """As ``place_labels`` where there is no such room: they may cover the drawing, or one another."""
+    return _placed(told, gun, size_of, gap, room, None)
 
 
 def _placed(

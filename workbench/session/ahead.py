@@ -1,7 +1,7 @@
 """What is worked out of whole sheets: of small ones at once, of large ones beside the interface."""
 
 from collections.abc import Callable
-from functools import lru_cache, partial
+from functools import partial
 from typing import Any, TypeVar
 
 from PySide6.QtCore import QObject, Signal
@@ -17,7 +17,6 @@ _FEW_FIGURES, _FEW_POINTS = 300, 2000
 _KEPT = 8
 
 
-@lru_cache(maxsize=8)
 def is_large(sheet: Sheet) -> bool:
     """Whether to paint or list all of its figures may hold the interface."""
     figures = sheet.figures
@@ -34,6 +33,7 @@ class Ahead(QObject):
         self._kept: list[tuple[_Key, Any]] = []
         self._waiting: dict[str, tuple[_Key, Callable[[], Any]]] = {}
         self._working: _Key | None = None
+        self._forgotten = False  # what is worked on is of a document that was closed
         self._answers = Answers(self)
         self._answers.arrived.connect(self._take)
 
@@ -54,15 +54,16 @@ class Ahead(QObject):
         for known, value in self._kept:
             if known == key:
                 return value  # type: ignore[no-any-return]
-        if key != self._working:
+        if key != self._working or self._forgotten:
             self._waiting[name] = key, make
             self._next()
         return None
 
     def forget(self) -> None:
-        """Another document is open."""
+        """Another document is open: nothing is kept of the one before, nor of what is still worked on."""
         self._kept.clear()
         self._waiting.clear()
+        self._forgotten = self._working is not None
 
     def _next(self) -> None:
         if self._working is not None or not self._waiting:
@@ -72,10 +73,11 @@ class Ahead(QObject):
         self._answers.ask(partial(_answer, key, make), "sheets")
 
     def _take(self, answer: tuple[_Key, Any]) -> None:
-        self._working = None
-        self._kept.insert(0, answer)
-        del self._kept[_KEPT:]
-        self.arrived.emit()
+        forgotten, self._working, self._forgotten = self._forgotten, None, False
+        if not forgotten:
+            self._kept.insert(0, answer)
+            del self._kept[_KEPT:]
+            self.arrived.emit()
         self._next()
 
 

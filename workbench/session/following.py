@@ -90,8 +90,8 @@ class Following(QObject):
         return partial(calls_of, self._sheet_of(subject), subject)
 
     def _calls_ahead(self, subject: Subject) -> Callable[[], Sequence[Call]] | None:
-        """The calls, to be worked out when they are wanted; of all of a large sheet they are there, or None:
-        this is updated when they come.
+        """Gives the calls when they are asked for. None while those of all of a large sheet are worked on:
+        ``update`` follows when they are there.
         """
         calls, sheet = self._calls(subject), self._sheet_of(subject)
         if not kind_of(subject).whole or not is_large(sheet):

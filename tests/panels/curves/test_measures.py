@@ -11,6 +11,7 @@ from tests.panels.curves.by_hand import (
 from tests.panels.curves.docked import PLACES, with_docks
 from workbench.document.curves.pieces import pieces_of
 from workbench.panels.curves.compare import MEASURED_DEGREE
+from workbench.panels.curves.docks import measures_of
 from workbench.panels.curves.scene import point_at
 from workbench.widgets.canvas.drawing import PenStroke
 
@@ -29,6 +30,15 @@ def test_a_double_click_on_a_joint_goes_there(qtbot):
 def test_the_measures_are_those_of_the_curve(qtbot):
     panel = with_docks(qtbot, curve_through((20.0, 10.0), (50.0, 10.0), spline="bezier"))
     assert "30 px" in panel.beside.insight.words.text()
+
+
+def test_measures_have_true_minus_signs() -> None:
+    """Below the sheet, turning to the right."""
+    curve = curve_through((-20.0, -10.0), (0.0, -2.0), (20.0, -10.0), spline="bezier")
+    told = dict(measures_of(pieces_of(curve), 0.5))
+    assert told["at u = 0.5"] == "(0, −6)"
+    assert told["curvature"].startswith("−0.02 1/px, radius 50 px")
+    assert told["box"] == "(−20, −10) – (20, −6)"
 
 
 def test_the_comb_has_teeth_on_every_piece():

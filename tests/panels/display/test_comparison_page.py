@@ -81,6 +81,8 @@ def test_the_pointer_and_the_arrows_move_the_glass_on_both(page: ComparisonPage,
     settle(page)
     assert place(page) == (12.0, 30.0)
     view.setFocus()
+    for held in (Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.AltModifier):
+        QTest.keyClick(view, Qt.Key.Key_Right, held)  # is not this page's
     QTest.keyClick(view, Qt.Key.Key_Right)
     QTest.keyClick(view, Qt.Key.Key_Down, Qt.KeyboardModifier.ShiftModifier)
     settle(page)

@@ -22,6 +22,7 @@ from workbench.panels.display.raster.page import RasterPage
 from workbench.panels.display.tubes_page import TubesPage
 from workbench.panels.display.vector.page import VectorPage
 from workbench.rendering import frame_buffer, raster
+from workbench.rendering.subjects import random_scan
 from workbench.session.session import Session
 
 COUNT = 400
@@ -133,3 +134,22 @@ def test_the_run_of_many_figures_comes_when_it_can_and_steps(
     session.run.forward()
     assert session.run.number == 1
     assert not any(here for _name, count, here in painted if count > 300)
+
+
+def test_the_list_that_was_made_elsewhere_is_the_one_that_is_shown(
+    qtbot: QtBot, session: Session, painted: list[tuple[str, int, bool]]
+) -> None:
+    """Also once the last few lists have been forgotten by what makes them."""
+    session.new(document_of(COUNT))
+    page = VectorPage(session)
+    put_on_screen(qtbot, page, 900, 600)
+    session.visit("vector", VectorPage.usual)
+    session.flush()
+    qtbot.waitUntil(lambda: len(page.tube._strokes) == COUNT and not session.ahead.busy, timeout=20_000)
+    program = page._run.program
+    for remembered in (random_scan._strokes, random_scan._program):
+        remembered.cache_clear()
+    painted.clear()
+    page.refresh()
+    assert page._run.program is program
+    assert painted == []

@@ -90,7 +90,10 @@ def test_triangles_before_the_camera_are_those_given_and_a_box_decides_as_the_po
         assert (by_box.triangles is triangles) == (by_points.triangles is triangles) == whole
         corners, others = (each.corners[each.triangles] for each in (by_box, by_points))
         assert np.array_equal(corners, others)
-        assert np.array_equal(by_box.owners, by_points.owners)
+        numbers = by_box.of_owners(np.arange(len(triangles)))
+        assert numbers.tolist() == by_points.of_owners(np.arange(len(triangles))).tolist()
+        assert len(numbers) == len(by_box.triangles)
+        assert whole == (numbers.tolist() == [*range(len(triangles))])
 
 
 def test_edges_too_many_to_be_drawn_are_not_told_apart(monkeypatch: pytest.MonkeyPatch) -> None:

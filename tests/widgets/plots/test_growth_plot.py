@@ -9,7 +9,7 @@ from workbench.widgets.plots.growth_plot import GrowthCurve, GrowthPlot
 
 CURVES = [
     GrowthCurve("Painter's algorithm", [(10, 1e-4), (100, 1e-3)], 1.0),
-    GrowthCurve("Octree", [(10, 1e-3), (100, 1e-1)], 2.0),
+    GrowthCurve("A-buffer", [(10, 1e-1), (100, 1e-3)], -2.0),
     GrowthCurve("Back faces", [(10, 1e-5)], None),
 ]
 
@@ -25,7 +25,7 @@ def test_lines_are_laid_over_logarithms_and_the_one_spoken_of_is_told_first(qtbo
     x, y = plot._lines[0].getData()
     assert np.allclose(x, [1.0, 2.0])
     assert np.allclose(y, [-1.0, 0.0])  # milliseconds
-    assert plot.accessibleDescription() == "Painter's algorithm n^1.00; Octree n^2.00"
+    assert plot.accessibleDescription() == "Painter's algorithm n^1.00; A-buffer n^−2.00"
     numbers = plot.numbers()
     assert numbers is not None
     assert numbers.rows[0] == ("Painter's algorithm", 10, "0.1")

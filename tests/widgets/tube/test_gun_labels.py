@@ -8,7 +8,7 @@ from shapely.geometry import LineString
 from workbench.display.cutaway import crowded, shapes
 from workbench.display.gun import Gun
 from workbench.widgets.look.tokens import DARK, LIGHT, Tokens, theme
-from workbench.widgets.tube.gun_view import GunView
+from workbench.widgets.tube.gun_view import GunView, lines_of
 
 
 @pytest.mark.parametrize("now", [LIGHT, DARK])
@@ -50,7 +50,7 @@ def test_where_names_are_long_they_become_short_before_what_parts_are_set_to_goe
         view.show_gun(gun, gun.way())
         view.grab()
         grid = next(each.label for each in view._placed if each.label.part == "grid")
-        worded[size] = view._lines(grid)
+        worded[size] = lines_of(grid, view.wording)
     value = worded[1200, 620][1]
     assert worded == {
         (1200, 620): ["control grid", value],

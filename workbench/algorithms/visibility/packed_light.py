@@ -19,6 +19,7 @@ STEPS = FULL - 2 * MARGIN
 """Steps of light between nothing and the brightest that a field can hold."""
 
 MOST = 2.0**62
+"""Beyond it no number of 64 bits is: over a triangle seen from its edge light changes without bound."""
 
 
 class LightPlane(NamedTuple):
@@ -40,7 +41,7 @@ class Sides(NamedTuple):
 
 
 def light_plane(sides: Sides, steps: float, first: float, second: float, third: float) -> LightPlane:
-    """That of a triangle with this light at its corners, ``steps`` for light 1."""
+    """The light of a channel over a triangle, from that at its corners; light 1 is so many ``steps``."""
     u, v = second - first, third - first
     dx, dy = u * sides.vy - v * sides.uy, v * sides.ux - u * sides.vx
     return LightPlane(first * steps + MARGIN, dx * sides.share, dy * sides.share)

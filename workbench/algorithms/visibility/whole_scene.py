@@ -1,7 +1,6 @@
 """What is found of a whole scene before its triangles are drawn: where its vertices are, its faces' colours.
 
-For pictures that follow a hand: a colour by Lambert's law for each face, coded for the screen as it is. Both
-texts work on so many items from one event to the next.
+For pictures that follow a hand: a colour by Lambert's law for each face, as the screen is sent it.
 """
 
 import math
@@ -15,8 +14,10 @@ from workbench.geometry.conventions import GRID
 
 Array = NDArray[Any]
 
-_AT_ONCE = 4096
-_ABOVE = 0.6  # the viewer's own lamp, in distances of the face
+_AT_ONCE = 4096  # items from one event to the next
+
+FROM_ABOVE = 0.6
+"""How high above the viewer a scene without lights has one, in distances from the viewer to what is lit."""
 
 PLACES_EXAMPLE = (np.zeros((1, 3)), np.zeros((1, 3)), np.eye(4), 1.0, 0.0, 1.0, 0.0)
 COLOURS_EXAMPLE = (
@@ -64,7 +65,7 @@ def places_on_device(
 
 
 def cosine(nx: float, ny: float, nz: float, x: float, y: float, z: float) -> float:
-    """Of the angle between a unit normal and a way (x, y, z); 0 where the way has no length."""
+    """The cosine of the angle between a unit normal and a way (x, y, z), 0 where the way has no length."""
     length = math.sqrt(x * x + y * y + z * z)
     return (nx * x + ny * y + nz * z) / length if length > 0.0 else 0.0
 
@@ -102,7 +103,7 @@ def face_colours(
             red, green, blue = ambient, ambient, ambient
             if len(lights) == 0:
                 to_x, to_y, to_z = view_x - view_w * x, view_y - view_w * y, view_z - view_w * z
-                to_y += _ABOVE * math.sqrt(to_x * to_x + to_y * to_y + to_z * to_z)
+                to_y += FROM_ABOVE * math.sqrt(to_x * to_x + to_y * to_y + to_z * to_z)
                 light = diffuse * max(side * cosine(nx, ny, nz, to_x, to_y, to_z), 0.0)
                 red, green, blue = red + light, green + light, blue + light
             for lamp in range(len(lights)):

@@ -214,7 +214,7 @@ class CurveDocks(QObject):
         self.continuity.say(text)
 
     def _show_measures(self) -> None:
-        lines = _measures(self._pieces, self._u)
+        lines = measures_of(self._pieces, self._u)
         if self._pieces is not None and "crossings" in self.focus.shown:
             lines.append((_("crosses itself"), crossing_words(self._pieces)))
         self.insight.say(lines)
@@ -261,27 +261,24 @@ def _inner(pieces: Pieces) -> list[float]:
     return [float(u) for u in np.unique(pieces.knots[1:-1])][:_MOST_MARKS]
 
 
-def _measures(pieces: Pieces | None, u: float | None) -> list[tuple[str, str]]:
-    """What is said of the curve in words."""
+def measures_of(pieces: Pieces | None, u: float | None) -> list[tuple[str, str]]:
+    """What is said of the curve in words: what it is of, and the number; nothing where there is no curve."""
     if pieces is None or u is None:
         return []
     x, y = piece_points(pieces, u).tolist()
     bend = float(curves.curvature(pieces, u))
     _centre, radius = curves.osculating_circle(pieces, u)
-    bent = with_minus(f"{bend:.4g} 1/px, ")
-    here = [
-        (with_minus(_("at u = {u:.4g}").format(u=u)), with_minus(f"({x:.4g}, {y:.4g})")),
-        (
-            _("curvature"),
-            bent + _("radius {radius:.4g} px").format(radius=radius),
-        ),
+    lines = [
+        (_("at u = {u:.4g}").format(u=u), f"({x:.4g}, {y:.4g})"),
+        (_("curvature"), _("{bend:.4g} 1/px, radius {radius:.4g} px").format(bend=bend, radius=radius)),
     ]
     if pieces.degree > MEASURED_DEGREE:
-        return [*here, (_("the whole"), _("not measured above degree {most}").format(most=MEASURED_DEGREE))]
-    (x0, y0), (x1, y1) = (side.tolist() for side in curves.bounding_box(pieces))
-    return [
-        *here,
-        (_("length"), _("{length:.6g} px").format(length=curves.arc_length(pieces))),
-        (_("inflections"), str(len(curves.inflections(pieces)))),
-        (_("box"), with_minus(f"({x0:.4g}, {y0:.4g}) \N{EN DASH} ({x1:.4g}, {y1:.4g})")),
-    ]
+        lines.append((_("the whole"), _("not measured above degree {most}").format(most=MEASURED_DEGREE)))
+    else:
+        (x0, y0), (x1, y1) = (side.tolist() for side in curves.bounding_box(pieces))
+        lines += [
+            (_("length"), _("{length:.6g} px").format(length=curves.arc_length(pieces))),
+            (_("inflections"), str(len(curves.inflections(pieces)))),
+            (_("box"), f"({x0:.4g}, {y0:.4g}) \N{EN DASH} ({x1:.4g}, {y1:.4g})"),
+        ]
+    return [(with_minus(name), with_minus(value)) for name, value in lines]

@@ -3,6 +3,7 @@
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QLabel, QSplitter, QTreeWidget, QTreeWidgetItem, QWidget
 
+from workbench.algorithms.numerals import with_minus
 from workbench.algorithms.projection import classify
 from workbench.document.scene.looking import kinds
 from workbench.document.scene.model import Camera
@@ -90,4 +91,4 @@ class FamilyDock(QSplitter):
             words = classify(projection_matrix(camera) @ view, view).words
         except ValueError as error:
             words = reason_of(error)
-        self.words.setText(words.replace("-", "−"))
+        self.words.setText(with_minus(words))

@@ -5,14 +5,13 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from workbench.algorithms.visibility.whole_scene import FROM_ABOVE
 from workbench.display.phosphor import linear_from_srgb
 from workbench.document.model import Rectangle
 from workbench.document.scene.model import Camera, Light, Scene
 from workbench.geometry.meshes import Array, Index
 from workbench.rendering.scene.render import Part, placed
 from workbench.rendering.scene.viewpoint import Size, Viewpoint
-
-_FROM_ABOVE = 0.6
 
 
 class LitTriangles(NamedTuple):
@@ -65,12 +64,11 @@ def _piece(part: Part, viewpoint: Viewpoint, number: int) -> tuple[Array | Index
     """What of an object is drawn, in the order of ``LitTriangles``."""
     mesh, (cut, face_of), material, lasting = part
     drawn = viewpoint.drawn(mesh.vertices, cut, lasting.box)
-    places, normals = mesh.vertices[cut], lasting.corner_normals(cut, face_of)
-    faces = face_of
+    places = drawn.of_owners(mesh.vertices[cut])
+    normals = drawn.of_owners(lasting.corner_normals(cut, face_of))
     if drawn.owners is not None:
-        whole, faces = places[drawn.owners], face_of[drawn.owners]
-        places = _in_world(viewpoint, drawn.corners[drawn.triangles])
-        normals = _shares(places, whole) @ normals[drawn.owners]
+        whole, places = places, _in_world(viewpoint, drawn.corners[drawn.triangles])
+        normals = _shares(places, whole) @ normals
     flat = np.cross(places[:, 1] - places[:, 0], places[:, 2] - places[:, 0])
     viewer = viewpoint.viewer
     towards = viewer[:3] - viewer[3] * places[:, 0]
@@ -82,7 +80,7 @@ def _piece(part: Part, viewpoint: Viewpoint, number: int) -> tuple[Array | Index
         places.reshape(-1, 3),
         (normals * side[:, None, None]).reshape(-1, 3),
         np.full(count, number),
-        faces,
+        drawn.of_owners(face_of),
         np.tile(linear_from_srgb(material.colour), (count, 1)),
         np.tile(shares, (count, 1)),
     )
@@ -114,7 +112,7 @@ def light_rows(lights: Sequence[Light], camera: Camera) -> tuple[Array, Array]:
     """Rows (k, 8) of lights, and their linear colours (k, 3); one above the eye where a scene has none."""
     if not lights:
         eye, middle = np.array(camera.eye.xyz), np.array(camera.look_at.xyz)
-        above = eye + _FROM_ABOVE * float(np.linalg.norm(eye - middle)) * np.array([0.0, 1.0, 0.0])
+        above = eye + FROM_ABOVE * float(np.linalg.norm(eye - middle)) * np.array([0.0, 1.0, 0.0])
         return np.array([[*above, 1.0, 1.0, 1.0, 0.0, 0.0]]), np.ones((1, 3))
     rows = [
         (*each.position.xyz, float(not each.distant), each.intensity, each.a0, each.a1, each.a2)

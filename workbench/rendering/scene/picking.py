@@ -36,8 +36,7 @@ def pick(scene: Scene, size: Size, window: Rectangle, x: float, y: float) -> Pic
             first = int(depth.argmin())
             if depth[first] < nearest:
                 nearest = float(depth[first])
-                piece = inside[first]
-                best = thing.id, int(faces[piece if drawn.owners is None else drawn.owners[piece]])
+                best = thing.id, int(drawn.of_owners(faces)[inside[first]])
     return None if best is None else Pick(*best, _in_space(viewpoint, x, y, nearest))
 
 

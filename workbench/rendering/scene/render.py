@@ -144,7 +144,7 @@ def device_triangles(
     for number, (mesh, (cut, face_of), material, lasting) in enumerate(parts):
         colours = flat_colours(lasting, material, lights, viewpoint.viewer)
         device = viewpoint.drawn(mesh.vertices, cut, lasting.box)
-        faces = face_of if device.owners is None else face_of[device.owners]
+        faces = device.of_owners(face_of)
         if not (device.owners is None and len(cut) == len(mesh.faces)):  # else each is a face of its own
             colours = colours[faces]
         numbers = np.broadcast_to(number, len(faces))

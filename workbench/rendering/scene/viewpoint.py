@@ -3,6 +3,7 @@
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from workbench.algorithms.viewing import window_to_viewport
 from workbench.algorithms.visibility.whole_scene import places_on_device
@@ -28,6 +29,10 @@ class Drawn(NamedTuple):
     corners: Array
     triangles: Index
     owners: Index | None
+
+    def of_owners(self, rows: NDArray[Any]) -> NDArray[Any]:
+        """The rows (m, ...) of the triangles that were to be drawn, for those that are: (t, ...)."""
+        return rows if self.owners is None else rows[self.owners]
 
 
 class Viewpoint(NamedTuple):

@@ -3,6 +3,8 @@
 from PySide6.QtCore import QEvent, QObject, QPoint, QRect, QSize, Qt
 from PySide6.QtWidgets import QFrame, QLayout, QLayoutItem, QScrollArea, QSizePolicy, QWidget
 
+_SPARE_PX = 12  # less than half a row is not worth a scroll bar
+
 
 class FlowLayout(QLayout):
     """Each item is as wide as it wishes. In each row what can grow shares what is left."""
@@ -116,9 +118,6 @@ def flowing(widget: QWidget, across: int = 16, down: int = 6) -> FlowLayout:
     policy.setHeightForWidth(True)
     widget.setSizePolicy(policy)
     return layout
-
-
-_SPARE_PX = 12  # less than half a row is not worth a scroll bar
 
 
 class FlowArea(QScrollArea):

@@ -9,6 +9,7 @@ import numpy as np
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QWidget
 
+from workbench.algorithms.numerals import with_minus
 from workbench.exchange.tables import Table
 from workbench.language import _
 from workbench.widgets.look.tokens import tokens
@@ -99,9 +100,8 @@ class GrowthPlot(Plot):
         fitted.sort(key=lambda pair: (pair[1].name != self._strong, -(pair[1].power or 0.0)))
         said, plain = [], []
         for k, curve in fitted[: _NAMED + 1]:
-            plain.append(f"{curve.name} n^{curve.power:.2f}".replace("-", "−"))
-            ink = now.data[k % len(now.data)]
-            power = f"{curve.power:.2f}".replace("-", "−")
+            power, ink = with_minus(f"{curve.power:.2f}"), now.data[k % len(now.data)]
+            plain.append(f"{curve.name} n^{power}")
             name = f"{escape(curve.name)} n".replace(" ", "&nbsp;")  # a line ends between two of them
             said.append(f'<span style="color:{ink}">●</span>&nbsp;{name}<sup>{power}</sup>')
         self.say(

@@ -7,9 +7,10 @@ from importlib.util import find_spec, module_from_spec
 
 
 def import_stepwise(name: str) -> Iterator[None]:
-    """Import a package of Python source, one statement of it in each step; nothing where it is there.
+    """Import a package of Python source, one statement of it in each step; none where it is imported already.
 
-    Before the last step who imports it gets a part of it. ImportError: it is missing, or was given up.
+    Until the last step whoever imports it gets only a part of it. Where a step fails, or no more are taken,
+    it is as if it had never been imported. Raises: ImportError where there is no such package.
     """
     if name in sys.modules:
         return
@@ -22,7 +23,8 @@ def import_stepwise(name: str) -> Iterator[None]:
     sys.modules[name] = package
     try:
         for statement in statements:
-            exec(compile(ast.Module([statement], []), spec.origin, "exec"), package.__dict__)
+            part = ast.Module([statement], [])
+            exec(compile(part, spec.origin, "exec", dont_inherit=True), package.__dict__)
             yield
     except BaseException:
         del sys.modules[name]

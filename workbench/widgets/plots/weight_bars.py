@@ -21,6 +21,7 @@ from workbench.widgets.plots.parameter_bar import ParameterBar
 _WIDEST_PX, _NARROWEST_PX = 18, 3
 _NUDGE, _FAR_NUDGE = 2**0.125, 2.0
 _DECADES = 1.0
+_KEYS = (Qt.Key.Key_Left, Qt.Key.Key_Right, Qt.Key.Key_Up, Qt.Key.Key_Down, Qt.Key.Key_Escape)
 
 
 class WeightBars(ParameterBar):
@@ -232,18 +233,7 @@ class WeightBars(ParameterBar):
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Left and Right choose a point, Up and Down change its weight (Shift: by 2), Escape none."""
         key, count = event.key(), len(self._weights)
-        if (
-            not count
-            or not is_plain(event)
-            or key
-            not in (
-                Qt.Key.Key_Left,
-                Qt.Key.Key_Right,
-                Qt.Key.Key_Up,
-                Qt.Key.Key_Down,
-                Qt.Key.Key_Escape,
-            )
-        ):
+        if not count or key not in _KEYS or not is_plain(event):
             QWidget.keyPressEvent(self, event)
         elif key == Qt.Key.Key_Escape:
             self._point_at(-1)

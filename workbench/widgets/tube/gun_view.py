@@ -33,8 +33,8 @@ from workbench.display.cutaway import (
     crowded,
     ends_on_face,
     labels,
+    near_labels,
     parts_of,
-    place_labels,
     shapes,
     spans,
     tangent,
@@ -49,7 +49,7 @@ from workbench.widgets.look.tokens import CAPTION_PX, RADIUS, colour, theme, tok
 from workbench.widgets.tube.gun_painting import draw_lowered, is_at, paint_height, paint_length, paint_shape
 
 _PADDING_PX, _GAP_PX = 6.0, 6.0
-_WORDINGS = ("whole", "brief", "names", "short")
+_WORDINGS = ("whole", "brief", "names", "short")  # as they are tried
 _NEAR_PX, _SPOT_PX = 14.0, 5.0
 _LEAST_HEIGHT_PX, _BEFORE_MM = 12.0, 9.0
 _FAINTEST, _STRONGEST = 50, 235
@@ -77,7 +77,7 @@ class GunView(QWidget):
         self._shapes: tuple[Shape, ...] = shapes(self._gun)
         self._scale, self._cathode = 1.0, QPointF()
         self._placed: tuple[PlacedLabel, ...] = ()
-        self._wording = self._placed_as = _WORDINGS[0]
+        self.wording = _WORDINGS[0]
         self._asked: object = None
         self._spans: tuple[Span, ...] = ()
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -318,9 +318,9 @@ class GunView(QWidget):
             foot, tip = self.place_px(z - _BEFORE_MM, 0.0), self.place_px(z - _BEFORE_MM, y)
             paint_height(painter, foot, tip, f"y = {y:.1f} mm".replace("-", "\u2212"), tokens())
 
-    def _size_of(self, metrics: QFontMetricsF, label: Label) -> tuple[float, float]:
-        """Width and height of a label's box in millimetres."""
-        lines = self._lines(label)
+    def _size_of(self, metrics: QFontMetricsF, label: Label, wording: str) -> tuple[float, float]:
+        """Width and height of a label's box in millimetres, in one of ``_WORDINGS``."""
+        lines = lines_of(label, wording)
         wide = max(map(metrics.horizontalAdvance, lines)) + 2 * _PADDING_PX
         return wide / self._scale, (len(lines) * metrics.height() + _PADDING_PX) / self._scale
 
@@ -330,29 +330,23 @@ class GunView(QWidget):
         wide, tall = ((extent - 2.0) / self._scale for extent in (self.width(), self.height()))
         return left, top - tall, left + wide, top
 
-    def _lines(self, label: Label) -> list[str]:
-        title = label.title if self._wording in ("whole", "names") else label.short
-        return [line for line in (title, label.value) if line][
-            : 2 if self._wording in ("whole", "brief") else 1
-        ]
-
     def _place_labels(self, metrics: QFontMetricsF) -> None:
         """With names and what parts are set to, or where that is too much shorter names, or names alone."""
         told, gap, room = labels(self._gun, self._seconds), _GAP_PX / self._scale, self._room()
-        sizes: dict[str, dict[Label, tuple[float, float]]] = {}
-        for self._wording in _WORDINGS:
-            sizes[self._wording] = {label: self._size_of(metrics, label) for label in told}
         gun = self._gun
+        sizes = {
+            wording: {label: self._size_of(metrics, label, wording) for label in told}
+            for wording in _WORDINGS
+        }
         asked = self._scale, self.size(), gun.coils, gun.gap, [[*each.values()] for each in sizes.values()]
         if asked == self._asked:  # as large as they were, they stay where they are
-            self._wording = self._placed_as
             self._placed = tuple(map(PlacedLabel, told, (each.box for each in self._placed)))
             return
         self._asked = asked
-        for place in (clear_labels, place_labels):
-            for self._wording in _WORDINGS:
-                self._placed = place(told, gun, sizes[self._wording].__getitem__, gap, room)
-                self._placed_as = self._wording
+        for place in (clear_labels, near_labels):
+            for wording in _WORDINGS:
+                self._placed = place(told, gun, sizes[wording].__getitem__, gap, room)
+                self.wording = wording
                 if self._placed and not crowded(self._placed):
                     return
 
@@ -372,7 +366,14 @@ class GunView(QWidget):
             painter.setBrush(colour(now.selected if lit else now.raised))
             painter.drawRoundedRect(box, 4, 4)
             at = box.adjusted(_PADDING_PX, _PADDING_PX / 2, 0, 0)
-            for number, line in enumerate(self._lines(placed.label)):
+            for number, line in enumerate(lines_of(placed.label, self.wording)):
                 painter.setPen(colour(now.muted if number else now.text))
                 base = at.top() + number * metrics.height() + metrics.ascent()
                 draw_lowered(painter, QPointF(at.left(), base), line)
+
+
+def lines_of(label: Label, wording: str) -> list[str]:
+    """What a label says in one of the wordings: its name or a short one, and what its part is set to."""
+    name = label.title if wording in ("whole", "names") else label.short
+    value = label.value if wording in ("whole", "brief") else ""
+    return [line for line in (name, value) if line]

@@ -46,7 +46,8 @@ def last_number(line: str) -> float:
 @pytest.mark.parametrize("arguments", [{}, {"by_halfway": True}, {"shadows": True}], ids=str)
 @pytest.mark.parametrize("shading", ["flat_shading", "gouraud", "phong"])
 def test_the_sum_is_the_light_of_the_picture(shading: str, arguments: dict[str, object]) -> None:
-    for slug in ("shading-ball", "shading-lamps")["shadows" in arguments :]:  # nothing shades a ball alone
+    shaded = ["shading-lamps"] if "shadows" in arguments else ["shading-ball", "shading-lamps"]
+    for slug in shaded:  # nothing casts a shadow on a ball alone
         for lines, light in pages_of(shading, slug, (7, 40, -1), **arguments):
             totals = [line for line in lines if line.startswith("$I = ") and "Σ" not in line]
             assert len(totals) == (3 if shading == "gouraud" else 1)

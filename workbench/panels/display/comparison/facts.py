@@ -22,7 +22,8 @@ from workbench.rendering.subjects.random_scan import shortest_ps_of, timing_of, 
 
 BYTES_PER_INSTRUCTION = 4
 BYTES_PER_PIXEL = 3
-_NOTHING = np.zeros((3, 4), np.uint32)
+DARK = np.zeros((3, 4), np.uint32)
+"""What a raster tube is given where it can show no picture."""
 
 
 class Feature(NamedTuple):
@@ -88,7 +89,7 @@ def measured(sheet: Sheet, subject: Subject, setup: TubeSetup) -> tuple[Facts, N
         filled_pixels(sheet), len(hatched(sheet, hatch)) if hatch else 0,
         1.0 / longest, line.most_lines(longest, shortest),
     )  # fmt: skip
-    return facts, _NOTHING if too_many_pixels(size) else whole_picture(sheet)
+    return facts, DARK if too_many_pixels(size) else whole_picture(sheet)
 
 
 def stairs_of(strokes: Strokes) -> int:

@@ -4,7 +4,6 @@ from collections.abc import Sequence
 from dataclasses import replace as replace_setup
 from functools import partial
 
-import numpy as np
 from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal
 from PySide6.QtGui import (
     QAction,
@@ -27,7 +26,7 @@ from workbench.exchange.tables import Table
 from workbench.language import _
 from workbench.panels.display.comparison.bar import ComparisonBar
 from workbench.panels.display.comparison.derivation import derivation
-from workbench.panels.display.comparison.facts import Facts, features, measured
+from workbench.panels.display.comparison.facts import DARK, Facts, features, measured
 from workbench.panels.panel import DockPart, KeysWhileSeen, Said
 from workbench.panels.shared.lighting import Lighting
 from workbench.panels.shared.tube_feed import setup_of
@@ -43,6 +42,7 @@ from workbench.rendering.subjects.random_scan import MOST_LINES, shortest_ps_of,
 from workbench.session.session import Session
 from workbench.widgets.canvas.pixel_canvas import ARROWS
 from workbench.widgets.look.icons import set_icon
+from workbench.widgets.look.plain_keys import is_plain
 from workbench.widgets.plots.refresh_plot import RefreshCurve, RefreshPlot
 from workbench.widgets.tables.feature_table import FeatureTable
 from workbench.widgets.tube.lens import TubeLens
@@ -51,7 +51,6 @@ from workbench.widgets.tube.stroke_view import StrokeView, Trace
 from workbench.widgets.tube.view import TubeView
 
 PAGE = "comparison"
-_NOTHING = np.zeros((3, 4), np.uint32)
 _PLOT_PX, _LOW_PX = 140, 400
 
 
@@ -69,7 +68,7 @@ class ComparisonPage(PlainPage, QWidget):
         self.session = session
         self._waiting = False
         self.facts: Facts | None = None
-        self._image = _NOTHING
+        self._image = DARK
         self._fed: dict[TubeView, object] = {}
         self._measured: object = None
         self._lighting = Lighting(self.refresh_soon, self)
@@ -339,7 +338,7 @@ class ComparisonPage(PlainPage, QWidget):
                     self._move_glass(*cell)
             if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.KeyPress:
                 way = ARROWS.get(Qt.Key(event.key()))
-                if way is not None:
+                if way is not None and is_plain(event):
                     x, y = lens_of(self._sheet, self.session.state.subject)
                     far = 5 if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1
                     self._move_glass(round(x) + far * way[0], round(y) + far * way[1])

@@ -92,17 +92,14 @@ def vector_run(session: Session) -> VectorRun | None:
     sheet, subject = session.sheet, session.state.subject
     if not runs_a_list(subject):
         raise ValueError("The page Random scan shows the run of a display list.")
-    make = partial(_programs, sheet, subject)
-    if not lines_of(subject) and session.ahead.of(sheet, "programs", make, is_ordered(subject)) is None:
+    test, make = bool(lines_of(subject)), partial(_programs, sheet, subject)
+    programs = make() if test else session.ahead.of(sheet, "programs", make, is_ordered(subject))
+    if programs is None:
         return None
-    program, timing, units = program_for(sheet, subject), timing_of(subject), units_of(sheet, subject)
-    shortest = shortest_ps_of(subject)
+    program, plain = programs
+    timing, units, shortest = timing_of(subject), units_of(sheet, subject), shortest_ps_of(subject)
     time = list_time(program.rows, units, timing, shortest)
-    unordered = 0
-    if is_ordered(subject) and not lines_of(subject):
-        plain = program_of(own_strokes(sheet, subject))
-        unordered = list_time(plain.rows, units, timing, shortest).list_ps
-    test = bool(lines_of(subject))
+    unordered = 0 if plain is program else list_time(plain.rows, units, timing, shortest).list_ps
     length = length_of(sheet, subject) * units
     line = LineTime.of(timing, length) if test else LineTime.mean(time, len(program.strokes))
     longest = longest_steady_s(setup_of(session.state.tube).guns())
@@ -120,8 +117,10 @@ def vector_run(session: Session) -> VectorRun | None:
 
 
 def _programs(sheet: Sheet, subject: Subject) -> tuple[DisplayProgram, DisplayProgram]:
-    """The list as it is run, and in the order of the sheet; both are remembered."""
-    return program_for(sheet, subject), program_of(own_strokes(sheet, subject))
+    """The list as it is run, and in the order of the sheet: the same one, unless its strokes are ordered."""
+    program = program_for(sheet, subject)
+    ordered = is_ordered(subject) and not lines_of(subject)
+    return program, program_of(own_strokes(sheet, subject)) if ordered else program
 
 
 def _position(session: Session, program: DisplayProgram) -> tuple[int, int]:
