@@ -21,7 +21,6 @@ from workbench.algorithms.visibility.pieces import (
     side_of,
     side_of_box,
     side_of_corners,
-    side_of_kth,
     whole,
 )
 from workbench.algorithms.visibility.surfaces import Surface, covers, in_view, surface_of, surfaces_of
@@ -76,9 +75,9 @@ def test_the_box_of_a_piece_tells_no_other_side_than_its_corners() -> None:
         surfaces, pieces = pieces_of(scene)
         for other in in_view(surfaces):
             plane = plane_of(surfaces, other)
-            for k in range(len(pieces)):
-                side = side_of_corners(plane, pieces[k])
-                assert side_of(plane, pieces[k]) == side_of_kth(plane, pieces, k) == side
+            for piece in pieces:
+                side = side_of_corners(plane, piece.corners)
+                assert side_of(plane, piece) == side
                 sides.add(side)
     assert sides >= {-1, 0, 1}
 

@@ -13,6 +13,7 @@ from workbench.algorithms.visibility.pieces import (
     part_of,
     plane_of,
     side_of,
+    side_of_corners,
 )
 from workbench.algorithms.visibility.surfaces import Surface
 
@@ -66,9 +67,11 @@ def parted_by_edge(P: Piece, Q: Piece) -> bool:
     start = P.corners[len(P.corners) - 1]
     for end in P.corners:
         plane = edge_plane(start, end)
-        own, other = side_of(plane, P), side_of(plane, Q)
-        if own != 0 and other != own and other != CUT_THROUGH:
-            return True
+        other = side_of(plane, Q)
+        if other != CUT_THROUGH:
+            own = side_of_corners(plane, P.corners)
+            if own not in (0, other):
+                return True
         start = end
     return False
 

@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 
 from numpy.typing import NDArray
 
+from workbench.algorithms.visibility.device_plane import Corner
 from workbench.algorithms.visibility.painting import Spans
 from workbench.algorithms.visibility.pieces import UPRIGHT, Cut, Piece
 from workbench.algorithms.visibility.surfaces import (
@@ -103,14 +104,20 @@ def steepness(surface: Surface) -> float:
 
 def bounding(surfaces: list[Surface], piece: Piece) -> list[CutLine]:
     """The lines of those cuts that are sides of the piece still: other cuts may have taken the rest."""
-    lines = [CutLine(0.0, 0.0, 0.0, 0.0, 0.0, 0.0) for _none in piece.cuts[:0]]
-    for cut in piece.cuts:
-        line = cut_line(surfaces, piece, cut)
-        for corner in piece.corners:
-            if value_at(line, corner.x, corner.y) <= BESIDE * line.unsure:
-                lines.append(line)
-                break
+    lines = [cut_line(surfaces, piece, cut) for cut in piece.cuts]
+    for k in range(len(lines) - 1, -1, -1):
+        if not is_side(lines[k], piece.corners):
+            lines.pop(k)
     return lines
+
+
+def is_side(line: CutLine, corners: list[Corner]) -> bool:
+    """Whether a line comes near a corner of a piece."""
+    near = False
+    for corner in corners:
+        if value_at(line, corner.x, corner.y) <= BESIDE * line.unsure:
+            near = True
+    return near
 
 
 def value_at(line: CutLine, x: float, y: float) -> float:

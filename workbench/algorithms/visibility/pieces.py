@@ -88,19 +88,13 @@ def offset(plane: Plane, corner: Corner) -> float:
 def side_of(plane: Plane, piece: Piece) -> int:
     """1 where all corners are in front of the plane or in it, -1 behind, 0 all in it, or CUT_THROUGH."""
     side = side_of_box(plane, piece.box)
-    return side_of_corners(plane, piece) if side == CUT_THROUGH else side
+    return side_of_corners(plane, piece.corners) if side == CUT_THROUGH else side
 
 
-def side_of_kth(plane: Plane, pieces: list[Piece], k: int) -> int:
-    """As ``side_of``, of one of many pieces, which is held only where its box cannot tell: holding costs."""
-    side = side_of_box(plane, pieces[k].box)
-    return side_of_corners(plane, pieces[k]) if side == CUT_THROUGH else side
-
-
-def side_of_corners(plane: Plane, piece: Piece) -> int:
+def side_of_corners(plane: Plane, corners: list[Corner]) -> int:
     """As ``side_of``, by every corner."""
     in_front, behind = False, False
-    for corner in piece.corners:
+    for corner in corners:
         value = offset(plane, corner)
         if value > 0.0:
             in_front = True

@@ -2,7 +2,13 @@
 
 from typing import NamedTuple
 
-from workbench.algorithms.visibility.pieces import CUT_THROUGH, Piece, plane_of, side_of_kth
+from workbench.algorithms.visibility.pieces import (
+    CUT_THROUGH,
+    Piece,
+    plane_of,
+    side_of_box,
+    side_of_corners,
+)
 from workbench.algorithms.visibility.surfaces import Surface
 
 NONE = -1
@@ -33,7 +39,10 @@ def dividing(pieces: list[Piece], surfaces: list[Surface], members: list[int]) -
         plane = plane_of(surfaces, pieces[members[k]].number)
         splits, balance = 0, 0
         for m in range(0, len(members), stride(len(members), SAMPLES)):
-            side = side_of_kth(plane, pieces, members[m])
+            # As side_of, but no piece is held: of its lists only that of corners, where the box cannot tell
+            side = side_of_box(plane, pieces[members[m]].box)
+            if side == CUT_THROUGH:
+                side = side_of_corners(plane, pieces[members[m]].corners)
             if side == CUT_THROUGH:
                 splits += 1
                 if 0 <= least <= 8 * splits:
