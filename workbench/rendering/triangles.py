@@ -10,9 +10,9 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from workbench.algorithms.visibility.depth_tiles import depth_buffer_tiles
+from workbench.algorithms.visibility.depth_tiles import EXAMPLE, depth_buffer_tiles
 from workbench.engine.at_hand import at_hand
-from workbench.engine.compiled import Stop, Stopped, paint
+from workbench.engine.compiled import Stop, Stopped, paint, ready_on
 from workbench.language import _
 
 T = TypeVar("T")
@@ -70,6 +70,11 @@ def drawn(
 
     in_bands(height, draw, stop, bands_for(len(corners)))
     return image, depth
+
+
+def are_drawn_at_once() -> bool:
+    """Whether triangles are drawn without compiling anything before."""
+    return ready_on(depth_buffer_tiles, *EXAMPLE)
 
 
 def bands_for(triangles: int) -> int:

@@ -3,9 +3,7 @@
 from dataclasses import replace
 
 from workbench.algorithms.marks import Mark, Spot
-from workbench.algorithms.visibility import depth_buffer
 from workbench.document.model import AnyFigure, Sheet
-from workbench.engine.compiled import ready
 from workbench.panels.animate.path import (
     alone,
     equation_marks,
@@ -18,7 +16,7 @@ from workbench.panels.animate.physics import equation_of
 from workbench.panels.stage.card import ParameterCard
 from workbench.panels.stage.compose import Composition, Progress
 from workbench.panels.stage.view import FigureView
-from workbench.rendering.scene.backdrop import with_scene
+from workbench.rendering.scene.backdrop import can_be_lit, with_scene
 from workbench.rendering.subjects.track import is_of_a_track
 from workbench.session.run import Run
 from workbench.session.session import Session
@@ -68,7 +66,7 @@ class AnimateView(FigureView):
         if run is not None and (number is not None or run.number > 0):
             stepped = self.step_marks(number)
         pixels = made.pixels
-        if self.sheet.scene is not None and ready(depth_buffer):
+        if self.sheet.scene is not None and can_be_lit(self.sheet):
             pixels = with_scene(pixels, self.sheet)
         drawn = (*overlay.drawn, *self._moving(), *stepped)
         return replace(made, pixels=pixels, overlay=replace(overlay, ideal=(), drawn=drawn))

@@ -5,15 +5,15 @@ from numpy.typing import NDArray
 
 from workbench.algorithms.visibility import depth_buffer
 from workbench.document.model import Sheet
-from workbench.engine.compiled import ready
 from workbench.rendering import frame_buffer, painter_of
 from workbench.rendering.scene.render import render_scene
 from workbench.rendering.subjects.visibility import window_of
+from workbench.rendering.triangles import are_drawn_at_once
 
 
 def can_be_lit(sheet: Sheet) -> bool:
     """Whether its scene, if it has one, can be painted without keeping a person waiting."""
-    return sheet.scene is None or ready(depth_buffer)
+    return sheet.scene is None or are_drawn_at_once()
 
 
 def whole_picture(sheet: Sheet) -> NDArray[np.uint32]:
