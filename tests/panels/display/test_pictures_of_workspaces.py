@@ -34,7 +34,7 @@ SCENES = ["overlapping-triangles", "shading-ball"]
 
 @pytest.fixture
 def session(monkeypatch: pytest.MonkeyPatch) -> Iterator[Session]:
-    monkeypatch.setattr(backdrop, "ready", lambda _text: True)
+    monkeypatch.setattr(backdrop, "are_drawn_at_once", lambda: True)
     one = Session()
     yield one
     one.close()
@@ -116,11 +116,11 @@ def test_a_scene_is_seen_on_the_tubes_from_where_somebody_looks(
 def test_a_scene_waits_for_what_paints_it(
     qtbot: QtBot, session: Session, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(backdrop, "ready", lambda _text: False)
+    monkeypatch.setattr(backdrop, "are_drawn_at_once", lambda: False)
     session.open_example("overlapping-triangles")
     session.flush()
     _widget, raster, vector = seen(qtbot, session, _page)
     qtbot.waitUntil(lambda: lit(vector))
     assert not raster._image.any()
-    monkeypatch.setattr(backdrop, "ready", lambda _text: True)
+    monkeypatch.setattr(backdrop, "are_drawn_at_once", lambda: True)
     qtbot.waitUntil(lambda: lit(raster))
