@@ -295,7 +295,7 @@ def test_a_scene_is_scanned_as_soon_as_it_can_be_lit(
 
 def test_the_names_of_the_features_are_whole(page: ComparisonPage, qtbot: QtBot) -> None:
     table = page.table
-    put_on_screen(qtbot, table, 380, 300)
+    put_on_screen(qtbot, table, 600, 300)
     qtbot.waitUntil(lambda: table.rowCount() > 0 and table.columnWidth(0) >= table.sizeHintForColumn(0))
     rows = range(table.rowCount())
     qtbot.waitUntil(lambda: all(table.rowHeight(row) >= table.sizeHintForRow(row) for row in rows))
