@@ -5,7 +5,6 @@ import os
 import subprocess
 import sys
 import threading
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -197,14 +196,6 @@ def test_without_a_compiler_the_lowered_text_is_read_as_python(monkeypatch: pyte
     image = np.zeros((2, 3), np.uint32)
     compiled.paint(LINE, image, 7, 0, 0, 2, 1)
     assert np.array_equal(image, painted(list(LINE(0, 0, 2, 1)), (2, 3)))
-
-
-@pytest.fixture
-def own_cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
-    monkeypatch.setenv("GRAPHICS_WORKBENCH_CACHE", str(tmp_path / "cache"))
-    compiled._kernel.cache_clear()
-    yield tmp_path / "cache"
-    compiled._kernel.cache_clear()
 
 
 def _corners() -> list[list[int]]:

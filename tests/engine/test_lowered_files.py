@@ -52,14 +52,6 @@ def write(file: Path, text: str) -> None:
 
 
 @pytest.fixture
-def own_cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
-    monkeypatch.setenv("GRAPHICS_WORKBENCH_CACHE", str(tmp_path / "cache"))
-    compiled._kernel.cache_clear()
-    yield tmp_path / "cache"
-    compiled._kernel.cache_clear()
-
-
-@pytest.fixture
 def lowerings(own_cache: Path, monkeypatch: pytest.MonkeyPatch) -> list[str]:
     """The names of what is lowered, each time."""
     names: list[str] = []

@@ -4,7 +4,6 @@ import os
 import subprocess
 import sys
 import threading
-from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -44,14 +43,6 @@ image = np.zeros((4, 5), kind)
 compiled.paint(texts.spans, image, 1, 6)
 print(image.tolist(), flush=True)
 """
-
-
-@pytest.fixture
-def own_cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
-    monkeypatch.setenv("GRAPHICS_WORKBENCH_CACHE", str(tmp_path / "cache"))
-    compiled._kernel.cache_clear()
-    yield tmp_path / "cache"
-    compiled._kernel.cache_clear()
 
 
 def child(kind: str, naming: float, writing: float) -> subprocess.Popen[str]:

@@ -1,6 +1,8 @@
 """What is made of a large sheet is made on a thread, one thing at a time; of a small one at once."""
 
 import threading
+from collections.abc import Callable
+from functools import partial
 
 import pytest
 from msgspec.structs import replace
@@ -19,6 +21,18 @@ def sheet_of(count: int) -> Sheet:
 
 def here() -> threading.Thread:
     return threading.current_thread()
+
+
+def waiting_work() -> tuple[threading.Event, list[int], Callable[[int], int]]:
+    """What gives a number back once it may go on, the numbers it was given, and that work."""
+    go_on, made = threading.Event(), list[int]()
+
+    def make(number: int) -> int:
+        made.append(number)
+        assert go_on.wait(20)
+        return number
+
+    return go_on, made, make
 
 
 def test_of_a_small_sheet_it_is_made_at_once_and_each_time(qapp: object) -> None:
@@ -43,16 +57,11 @@ def test_of_a_large_sheet_it_is_made_once_and_elsewhere(qtbot: QtBot) -> None:
 
 def test_one_thing_at_a_time_and_of_what_waits_only_the_last(qtbot: QtBot) -> None:
     ahead, sheet = Ahead(), sheet_of(400)
-    go_on, made = threading.Event(), []
-
-    def make(number: int) -> int:
-        made.append(number)
-        assert go_on.wait(20)
-        return number
+    go_on, made, make = waiting_work()
 
     for number in range(5):
         for _twice in range(2):
-            assert ahead.of(sheet, "number", lambda n=number: make(n), number) is None  # type: ignore[misc]
+            assert ahead.of(sheet, "number", partial(make, number), number) is None
     qtbot.waitUntil(lambda: made == [0])
     go_on.set()
     qtbot.waitUntil(lambda: not ahead.busy)
@@ -81,12 +90,7 @@ def test_what_fails_is_told_and_not_made_again(qtbot: QtBot, monkeypatch: pytest
 def test_nothing_is_kept_of_a_document_that_was_closed(qtbot: QtBot) -> None:
     """Neither what was there, nor what waited, nor what was still worked on."""
     ahead, sheet = Ahead(), sheet_of(400)
-    go_on, made = threading.Event(), []
-
-    def make(number: int) -> int:
-        made.append(number)
-        assert go_on.wait(20)
-        return number
+    go_on, made, make = waiting_work()
 
     def ask(number: int) -> int | None:
         return ahead.of(sheet, f"number {number}", lambda: make(number))

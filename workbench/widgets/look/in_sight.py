@@ -1,7 +1,9 @@
 """Whether a part of the window is in sight: one in a dock behind other tabs is not, although Qt calls it
 visible."""
 
-from PySide6.QtCore import QEvent, QObject, Signal
+from collections.abc import Callable
+
+from PySide6.QtCore import QEvent, QObject, QTimer, Signal
 from PySide6.QtWidgets import QDockWidget, QWidget
 from shiboken6 import isValid
 
@@ -17,6 +19,10 @@ class InSight(QObject):
         self._part = part
         self._dock: QDockWidget | None = None
         part.installEventFilter(self)
+
+    def follow(self, refresh: Callable[[], object]) -> None:
+        """Have it refreshed whenever it has come in sight or gone out of it, once docks have their places."""
+        self.changed.connect(lambda _seen: QTimer.singleShot(0, self, refresh))
 
     def eventFilter(self, _part: QObject, event: QEvent) -> bool:
         """Follow the dock that it has come into."""

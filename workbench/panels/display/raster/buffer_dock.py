@@ -130,8 +130,7 @@ class BufferDock(QScrollArea):
         self._resting.setInterval(_REST_MS)
         self._resting.timeout.connect(self._compare)
         self.in_sight = InSight(self)
-        # Once docks have their places
-        self.in_sight.changed.connect(lambda _seen: QTimer.singleShot(0, self, self.refresh))
+        self.in_sight.follow(self.refresh)
 
     def _made_table(self) -> QTableWidget:
         table = QTableWidget(len(DEPTHS), 4)

@@ -3,7 +3,7 @@
 from functools import partial
 
 from msgspec.structs import replace
-from PySide6.QtCore import Qt, QTimer
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QCheckBox, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from workbench.display.flicker import modulation
@@ -90,8 +90,7 @@ class ModeDock(QScrollArea):
         column_layout.addStretch(1)
         self.setWidget(body)
         self.in_sight = InSight(self)
-        # Once docks have their places
-        self.in_sight.changed.connect(lambda _seen: QTimer.singleShot(0, self, self.refresh))
+        self.in_sight.follow(self.refresh)
 
     def _choose_phosphor(self, number: int) -> None:
         session = self._setting.session

@@ -5,7 +5,7 @@ from fractions import Fraction
 from functools import partial
 from html import escape
 
-from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import (
     QGridLayout,
@@ -121,8 +121,7 @@ class SumsDock(QWidget):
         whole.addLayout(self._buttons())
         self._labels: list[tuple[QLabel, QLabel, QLabel]] = []
         self.in_sight = InSight(self)
-        # Once docks have their places
-        self.in_sight.changed.connect(lambda _seen: QTimer.singleShot(0, self, self.refresh))
+        self.in_sight.follow(self.refresh)
 
     def _buttons(self) -> QHBoxLayout:
         row = QHBoxLayout()
