@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.panels.by_hand import keep_until_the_end
+from workbench.document.subjects import Subject
 from workbench.panels.display.gun.page import GunPage
 from workbench.panels.display.vector.page import PAGE, VectorPage
 from workbench.session.session import Session
@@ -31,13 +32,18 @@ def put_on_screen(qtbot: QtBot, page: QWidget, width: int, height: int) -> None:
         page.show()
 
 
+def run_whole(qtbot: QtBot, session: Session, page: str, usual: Subject) -> None:
+    """Visit a page, and wait until what it steps is recorded."""
+    session.visit(page, usual)
+    session.flush()
+    qtbot.waitUntil(lambda: session.run.done and session.run.entry is not None)
+
+
 @pytest.fixture
 def gun_page(qtbot: QtBot, session: Session) -> GunPage:
     made = GunPage(session)
     put_on_screen(qtbot, made, 900, 460)
-    session.visit("gun", made.usual)
-    session.flush()
-    qtbot.waitUntil(lambda: session.run.done and session.run.entry is not None)
+    run_whole(qtbot, session, "gun", made.usual)
     made.refresh()
     return made
 
@@ -47,8 +53,6 @@ def vector_page(qtbot: QtBot, session: Session) -> VectorPage:
     """The page Random scan, with its run done."""
     made = VectorPage(session)
     put_on_screen(qtbot, made, 900, 560)
-    session.visit(PAGE, VectorPage.usual)
-    session.flush()
-    qtbot.waitUntil(lambda: session.run.done and session.run.entry is not None)
+    run_whole(qtbot, session, PAGE, VectorPage.usual)
     made.refresh()
     return made

@@ -12,7 +12,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from tests.panels.display.conftest import put_on_screen
+from tests.panels.display.conftest import put_on_screen, run_whole
 from workbench.algorithms.marks import Word
 from workbench.algorithms.scanning.operations import NAMES
 from workbench.display.setup import mm_of
@@ -39,9 +39,7 @@ EXAMPLE = "raster-or-random"
 def page(qtbot: QtBot, session: Session) -> ComparisonPage:
     made = ComparisonPage(session)
     put_on_screen(qtbot, made, 900, 560)
-    session.visit(PAGE, ComparisonPage.usual)
-    session.flush()
-    qtbot.waitUntil(lambda: session.run.done and session.run.entry is not None)
+    run_whole(qtbot, session, PAGE, ComparisonPage.usual)
     settle(made)
     return made
 
