@@ -9,12 +9,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 from shapely import LineString
 
+from tests.display.overlaps import crowded
 from tests.display.test_gun import guns
 from workbench.algorithms.scanning.electron_optics import FACE_MM, PLATES_MM
 from workbench.display.cutaway import (
     STEPS,
     beam_outline,
-    crowded,
     ends_on_face,
     labels,
     parts_of,
@@ -81,6 +81,7 @@ def test_labels_keep_clear_of_one_another(coils: bool, scale: float, letter_px: 
         5 / scale,
         window_of(gun),
     )
+    assert len(placed) == len(labels(gun))
     assert not crowded(placed)
     for each in placed:
         assert left <= each.box[0] < each.box[2] <= right
@@ -124,6 +125,7 @@ def test_a_label_gives_way_to_the_line_of_another_one_where_it_is_narrow() -> No
         6 / scale,
         (z - half[0], y - half[1], z + half[0], y + half[1]),
     )
+    assert len(placed) == len(labels(gun))
     assert not crowded(placed)
     for one in placed:
         for other in placed:
@@ -135,6 +137,7 @@ def test_a_label_gives_way_to_the_line_of_another_one_where_it_is_narrow() -> No
 def test_the_label_of_the_screen_stands_above_the_bulb_where_there_is_room(coils: bool) -> None:
     gun = Gun(coils=coils)
     placed = place_labels(labels(gun), gun, lambda label: (2.0 * len(label.title), 10.0), 2.0, window_of(gun))
+    assert len(placed) == len(labels(gun))
     assert not crowded(placed)
     screen = next(each for each in placed if each.label.part == "screen")
     assert screen.box[1] > FACE_MM[1] / 2

@@ -257,7 +257,7 @@ def place_labels(
 
     ``size_of`` gives width and height of its box, ``room`` is where they may stand. No label covers a line of
     the drawing, or of those that lead to parts; where there is no room for that, of the latter only, and
-    where there is none at all, labels lie over one another.
+    where there is none at all, a label is left out.
     """
     told = tuple(told)
     return clear_labels(told, gun, size_of, gap, room) or near_labels(told, gun, size_of, gap, room)
@@ -273,7 +273,7 @@ def clear_labels(
 def near_labels(
     told: Iterable[Label], gun: Gun, size_of: Callable[[Label], tuple[float, float]], gap: float, room: Box
 ) -> tuple[PlacedLabel, ...]:
-    """As ``place_labels`` where there is no such room: they may cover the drawing, or one another."""
+    """As ``place_labels`` where there is no such room: they may cover the drawing, and some are left out."""
     return _placed(told, gun, size_of, gap, room, None)
 
 
@@ -325,7 +325,8 @@ def _placed(
                 break
         if drawn is not None and (best is None or any(least)):
             return ()
-        placed.append(best or places[0])
+        if best is not None:
+            placed.append(best)
     return tuple(placed)
 
 
@@ -362,12 +363,6 @@ def _cuts(line: tuple[tuple[float, float], tuple[float, float]], box: Box) -> bo
         near, far = sorted(((low - start) / step, (high - start) / step))
         enters, leaves = max(enters, near), min(leaves, far)
     return enters < leaves
-
-
-def crowded(placed: Sequence[PlacedLabel]) -> bool:
-    """Whether any two labels lie over one another."""
-    boxes = [each.box for each in placed]
-    return any(_touch(one, other, 0.0) for k, one in enumerate(boxes) for other in boxes[:k])
 
 
 def _touch(one: Box, other: Box, gap: float) -> bool:

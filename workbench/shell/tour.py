@@ -281,7 +281,7 @@ def _beam(window: MainWindow) -> None:
     window.open_example("house")
     tube = replace(window.session.state.tube, slow_motion=20_000.0, phosphor="P7")
     window.session.update_state(tube=tube)
-    window.go("display")
+    window.enter("display", lambda: window.panels("display")[0].show_page())
 
 
 def _fill(window: MainWindow, slug: str, step: int, heat: bool = False) -> None:
@@ -340,7 +340,7 @@ def _empty(window: MainWindow, workspace: str = "draw") -> None:
 
 def _display(window: MainWindow) -> None:
     window.open_example("house")
-    window.go("display")
+    window.enter("display", lambda: window.panels("display")[0].show_page())
 
 
 def _fill_compared(window: MainWindow) -> None:

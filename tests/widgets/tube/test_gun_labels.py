@@ -5,7 +5,8 @@ import shapely
 from pytestqt.qtbot import QtBot
 from shapely.geometry import LineString
 
-from workbench.display.cutaway import crowded, shapes
+from tests.display.overlaps import crowded
+from workbench.display.cutaway import labels, shapes
 from workbench.display.gun import Gun
 from workbench.widgets.look.tokens import DARK, LIGHT, Tokens, theme
 from workbench.widgets.tube.gun_view import GunView, lines_of
@@ -32,6 +33,7 @@ def test_no_label_covers_a_line_of_the_drawing(
     view.show_gun(gun, gun.way())
     view.grab()
     theme.use(LIGHT)
+    assert len(view._placed) == len(labels(gun))
     assert not crowded(view._placed)
     for placed in view._placed:
         box = shapely.box(*placed.box).buffer(-1e-6)
@@ -39,6 +41,21 @@ def test_no_label_covers_a_line_of_the_drawing(
             points = shape.points.tolist()
             line = LineString([*points, points[0]] if shape.closed else points)
             assert not line.intersects(box), (placed.label.title, shape.part or shape.kind)
+
+
+@pytest.mark.parametrize("size", [(300, 100), (330, 110), (385, 100), (385, 130), (425, 140)])
+@pytest.mark.parametrize("coils", [False, True])
+def test_where_there_is_no_room_a_label_is_left_out(qtbot: QtBot, size: tuple[int, int], coils: bool) -> None:
+    view, gun = GunView(), Gun(coils=coils)
+    qtbot.addWidget(view)
+    view.resize(*size)
+    view.show_gun(gun, gun.way())
+    view.grab()
+    view.show_gun(gun, gun.way(), seconds=0.0)
+    view.grab()
+    assert view.wording == "short" or len(view._placed) == len(labels(gun))
+    assert len(view._placed) >= 4
+    assert not crowded(view._placed)
 
 
 def test_where_names_are_long_they_become_short_before_what_parts_are_set_to_goes(qtbot: QtBot) -> None:

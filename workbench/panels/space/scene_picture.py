@@ -166,6 +166,7 @@ class ScenePicture(QWidget):
     def begin_anew(self) -> None:
         """Another document or sheet is open: nothing of the last one's picture is shown in its place."""
         self.worker.leave()
+        self.scene = Scene()  # which is what a redraw shows until there is another, as when it comes in sight
         self._job = self._came = self._picture = None
         self._image = QImage()
         self.update()

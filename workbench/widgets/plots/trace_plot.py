@@ -9,6 +9,7 @@ from PySide6.QtCore import QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QWidget
 
+from workbench.algorithms.numerals import with_minus
 from workbench.exchange.tables import Table
 from workbench.language import _
 from workbench.widgets.look.elided_label import ElidedLabel
@@ -24,7 +25,7 @@ _PADDING = 0.02  # what lies at the very edge of the range has no label
 
 def short(value: float) -> str:
     """A number in at most four digits."""
-    return f"{value:.3g}" if value else "0"
+    return with_minus(f"{value:.3g}") if value else "0"
 
 
 class TracePlot(Plot):

@@ -30,7 +30,6 @@ from workbench.display.cutaway import (
     Span,
     beam_outline,
     clear_labels,
-    crowded,
     ends_on_face,
     labels,
     near_labels,
@@ -340,14 +339,15 @@ class GunView(QWidget):
         }
         asked = self._scale, self.size(), gun.coils, gun.gap, [[*each.values()] for each in sizes.values()]
         if asked == self._asked:  # as large as they were, they stay where they are
-            self._placed = tuple(map(PlacedLabel, told, (each.box for each in self._placed)))
+            of_part = {label.part: label for label in told}
+            self._placed = tuple(each._replace(label=of_part[each.label.part]) for each in self._placed)
             return
         self._asked = asked
         for place in (clear_labels, near_labels):
             for wording in _WORDINGS:
                 self._placed = place(told, gun, sizes[wording].__getitem__, gap, room)
                 self.wording = wording
-                if self._placed and not crowded(self._placed):
+                if len(self._placed) == len(told):
                     return
 
     def _paint_labels(self, painter: QPainter, metrics: QFontMetricsF) -> None:

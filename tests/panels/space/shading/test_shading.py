@@ -237,3 +237,18 @@ def test_the_picture_of_another_document_is_never_in_the_place_of_this_one(
     settle(qtbot, page)
     assert held
     assert all(scene.objects == scene_of(page).objects for scene in held)
+
+
+def test_nor_is_it_asked_for_where_the_view_comes_in_sight_before_it_is_told_of_the_new_one(
+    qtbot: QtBot, page: ShadingPage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    page.window().hide()
+    page.session.open_example("shading-materials")
+    asked, ask = [], page.view.worker.ask
+    monkeypatch.setattr(page.view.worker, "ask", lambda job: (asked.append(job.scene), ask(job)))
+    page.window().show()
+    page.view.redraw()
+    settle(qtbot, page)
+    assert page.view.scene.objects == scene_of(page).objects
+    assert asked[-1].objects == scene_of(page).objects
+    assert all(scene.objects in ((), scene_of(page).objects) for scene in asked)

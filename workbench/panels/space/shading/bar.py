@@ -7,7 +7,6 @@ from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
     QHBoxLayout,
-    QLabel,
     QPushButton,
     QSizePolicy,
     QToolButton,
@@ -23,6 +22,7 @@ from workbench.rendering.scene.shading import LIT_SHADINGS
 from workbench.rendering.subjects.shading import model_of, shading_of
 from workbench.rendering.subjects.visibility import scene_size, size_of
 from workbench.session.session import Session
+from workbench.widgets.look.elided_label import ElidedLabel
 
 COLUMNS = (16, 24, 36, 48, 64, 96)
 
@@ -38,7 +38,7 @@ class ShadingBar(QWidget):
         self.keep = QPushButton(_("Keep this view"))
         self.together = QToolButton()
         self.together.setDefaultAction(together)
-        self.progress = QLabel()
+        self.progress = ElidedLabel()
         self.progress.setProperty("role", "muted")
         for widget, name, tip in (
             (self.method, _("Shading"), _("How light or normals are spread over the faces")),
