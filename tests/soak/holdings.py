@@ -9,10 +9,12 @@ import functools
 import gc
 import os
 import sys
+from collections.abc import Iterator
 from dataclasses import dataclass, fields
 from typing import Any
 
-from PySide6.QtGui import QPixmapCache
+import numpy as np
+from PySide6.QtGui import QImage, QPixmapCache
 from PySide6.QtWidgets import QApplication
 
 from workbench.document.weight import weight
@@ -52,6 +54,8 @@ class Holdings:
     kernels: int
     kept: int  # results in all the caches of functions, before those with a bound were emptied
     pictures: float  # in the memories of what is costly to draw
+    arrays: float  # all of them, each base once
+    images: float  # all pictures of Qt that Python holds
 
     def __str__(self) -> str:
         return ", ".join(f"{each.name} {getattr(self, each.name):.6g}" for each in fields(self))
@@ -91,7 +95,32 @@ def holdings() -> Holdings:
         _kernels(),
         kept,
         sum(each._bytes for each in memory._memories) / 1e6,
+        *_arrays_and_images(),
     )
+
+
+_LEAVES = {str, int, float, bytes, bool, type(None)}  # most of all objects, and they hold nothing
+
+
+def reached() -> Iterator[Any]:
+    """All that Python holds but numbers and texts, each once: also what is hidden from the collector."""
+    left: list[Any] = [*gc.get_objects(), *sys.modules.values()]
+    seen: set[int] = set()
+    for each in left:
+        if type(each) not in _LEAVES and id(each) not in seen:
+            seen.add(id(each))
+            yield each
+            left.extend(gc.get_referents(each))
+
+
+def _arrays_and_images() -> tuple[float, float]:
+    arrays = images = 0
+    for each in reached():
+        if isinstance(each, np.ndarray) and each.base is None:
+            arrays += each.nbytes
+        elif isinstance(each, QImage):
+            images += each.sizeInBytes()
+    return arrays / 1e6, images / 1e6
 
 
 def _caches() -> list[Any]:
