@@ -2,6 +2,7 @@
 
 import weakref
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from functools import partial
 from typing import Any
 
@@ -61,7 +62,7 @@ class RecordedRun(QObject):
         self._recorder: Recorder | None = None
         self._begun = False
         self._abandoned: weakref.finalize[..., Any] | None = None
-        self._counted: Recorder | None = None
+        self._counting: compiled.Stop | None = None
         self._look = QTimer(self)
         self._look.timeout.connect(self._look_again)
         self._totals = Answers(self)
@@ -183,7 +184,9 @@ class RecordedRun(QObject):
     def _forget(self) -> None:
         if self._abandoned is not None:
             self._abandoned()
-        self._recorder = self._abandoned = None
+        if self._counting is not None:
+            self._counting.set()
+        self._recorder = self._abandoned = self._counting = None
         self._look.stop()
         self.recording = self.steps = self.total_steps = None
 
@@ -251,15 +254,15 @@ class RecordedRun(QObject):
 
     def _find_total(self) -> None:
         """Ask the compiled reading for the number of steps, on another thread, if it needs no compilation."""
-        entry, recorder, calls = self.entry, self._recorder, self.calls
-        if entry is None or entry.compiles or self.total_steps is not None or recorder is self._counted:
+        entry, calls = self.entry, self.calls
+        if entry is None or entry.compiles or self.total_steps is not None or self._counting is not None:
             return
-        self._counted = recorder
-        self._totals.ask(partial(_total, recorder, entry, calls), "count steps")
+        stop = self._counting = compiled.Stop()
+        self._totals.ask(partial(_total, entry, calls, stop), "count steps", stop.set)
 
-    def _take_total(self, found: tuple[Recorder, int]) -> None:
-        recorder, total = found
-        if recorder is self._recorder:
+    def _take_total(self, answer: tuple[compiled.Stop, int]) -> None:
+        counting, total = answer
+        if counting is self._counting:
             self.total_steps = total
             self.grown.emit()
 
@@ -288,11 +291,13 @@ class RecordedRun(QObject):
 
 
 def _total(
-    recorder: Recorder | None, entry: Entry, calls: tuple[tuple[Any, ...], ...]
-) -> tuple[Recorder | None, int] | None:
+    entry: Entry, calls: tuple[tuple[Any, ...], ...], stop: compiled.Stop
+) -> tuple[compiled.Stop, int] | None:
     if not compiled.available() or not _counting_is_ready(entry):
         return None
-    return recorder, sum(counts.step_total(entry, *call, compiling=False) for call in calls)
+    with suppress(compiled.Stopped):
+        return stop, sum(counts.step_total(entry, *call, stop=stop, compiling=False) for call in calls)
+    return None
 
 
 def _counting_is_ready(entry: Entry) -> bool:
