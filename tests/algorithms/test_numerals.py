@@ -61,6 +61,7 @@ def test_no_corner_of_a_cube_in_isometric_projection_has_a_rounding_in_its_hand_
         ("-1e-05 is too small; the least is -2.", "−1e−05 is too small; the least is −2."),
         ("one-point, 4-connected, x-ray, - and -b", "one-point, 4-connected, x-ray, - and -b"),
         ("from −1 to -1", "from −1 to −1"),
+        ("-inf is below all; re-inform, -info", "−inf is below all; re-inform, -info"),
     ],
 )
 def test_numbers_of_a_text_have_true_minus_signs_and_words_their_hyphens(text: str, shown: str) -> None:

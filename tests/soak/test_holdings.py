@@ -37,7 +37,8 @@ def test_each_kind_is_counted_where_it_is_held(qtbot: QtBot) -> None:
     assert view_map.cache_info().currsize == 0  # it has a bound
     assert after.blocks - before.blocks >= len(texts) // 1000
     assert after.resident > before.resident
-    assert after.kernels >= 1 and (picture.width(), halves.ndim) == (200, 2)
+    assert after.kernels >= 1
+    assert (picture.width(), halves.ndim) == (200, 2)
     assert 0 < after.allocated <= after.arenas
 
 

@@ -6,7 +6,7 @@ import re
 _DECIMALS = 4
 _HUGE = 1e15
 _ROUNDING = 1e-12
-_NEGATIVE = re.compile(r"(?:(?<!\w)|(?<=\de))-(?=\d)")  # before a number, or in its power of ten
+_NEGATIVE = re.compile(r"(?:(?<!\w)|(?<=\de))-(?=\d|inf\b)")  # before a number, or in its power of ten
 
 
 def decimal(value: float) -> str:

@@ -5,7 +5,7 @@ import string
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Any, Literal, NamedTuple
 
-from workbench.algorithms.numerals import numeral
+from workbench.algorithms.numerals import numeral, with_minus
 
 Link = tuple[Literal["variable"], str] | tuple[Literal["pixel"], tuple[int, int]]
 
@@ -56,7 +56,7 @@ def number_text(value: Any) -> str:
     if isinstance(value, bool) or not hasattr(value, "__float__"):
         return str(value)
     if float(value).is_integer() and not isinstance(value, float):
-        return str(int(value)).replace("-", "−")
+        return with_minus(str(int(value)))
     return numeral(value)
 
 

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from workbench.algorithms.numerals import with_minus
 from workbench.document.model import AnyFigure, Sheet
 from workbench.language import _
 from workbench.rendering.clipping import drawn_rings, line_ends, visible_rings, visible_segments
@@ -42,7 +43,7 @@ def _cut_lines(sheet: Sheet, figure: Lines) -> str:
             "segments are cut there."
         )
         return sentence.format(most=REACH_PX, count=int(beyond.sum()), all=len(whole))
-    x0, y0, x1, y1 = (f"{value:,}".replace("-", "−") for value in left[0].tolist())
+    x0, y0, x1, y1 = (with_minus(f"{value:,}") for value in left[0].tolist())
     sentence = _(
         "This line is cut {most:,} pixels beyond the picture: the algorithm draws it from ({x0}; {y0}) to "
         "({x1}; {y1})."

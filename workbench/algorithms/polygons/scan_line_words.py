@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from workbench.algorithms.numerals import numeral
+from workbench.algorithms.numerals import numeral, with_minus
 from workbench.algorithms.polygons.active_edges import Crossing, end_of_level
 from workbench.algorithms.polygons.edges import Edge
 
@@ -64,7 +64,7 @@ def spans_text(spans: Sequence[tuple[int, int]]) -> str:
         if joined and joined[-1][1] == left - 1:
             left = joined.pop()[0]
         joined.append((left, right))
-    return listed([(f"{a} to {b}" if a < b else f"{a}").replace("-", "−") for a, b in joined])
+    return listed([with_minus(f"{a} to {b}" if a < b else f"{a}") for a, b in joined])
 
 
 def span_pixels(spans: Sequence[tuple[int, int]], y: int) -> Pixels:

@@ -3,6 +3,7 @@
 from collections import Counter
 from collections.abc import Iterable, Mapping
 
+from workbench.algorithms.numerals import with_minus
 from workbench.document.model import Sheet
 from workbench.document.motion.groups import CAMERA, OUTLINE, WHOLE, Group, group_of, read, value_of
 from workbench.document.motion.model import EASINGS
@@ -120,4 +121,4 @@ def value_text(sheet: Sheet, target: str) -> str:
 
 
 def _rounded(numbers: Iterable[float], places: int) -> str:
-    return ", ".join(f"{round(number, places):.6g}" for number in numbers).replace("-", "−")
+    return with_minus(", ".join(f"{round(number, places):.6g}" for number in numbers))

@@ -6,7 +6,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QComboBox, QWidget
 
 from workbench.algorithms.animation.turns import entries_determinant
-from workbench.algorithms.numerals import numeral
+from workbench.algorithms.numerals import numeral, with_minus
 from workbench.document.model import Sheet
 from workbench.document.motion.between import part_of_the_way, quaternion_of
 from workbench.document.motion.model import TURNINGS, Track
@@ -94,7 +94,7 @@ def _numbers(ways: Ways, part: float) -> str:
     rows = [("", _("det"), _("length"), _("turn"))]
     for way in ways.ways:
         numbers = numbers_of(way, part)
-        turned = f"{numbers.turned:.1f}°".replace("-", "−")
+        turned = with_minus(f"{numbers.turned:.1f}°")
         rows.append((way.title, f"{numbers.determinant:.3f}", f"{numbers.length:.3f}", turned))
     return as_table(rows)
 
@@ -111,7 +111,7 @@ def _shrinks(theta: float, part: float) -> str:
 
 
 def _locks(angles: Triple) -> str:
-    degrees = [f"{math.degrees(angle):.1f}°".replace("-", "−") for angle in angles]
+    degrees = [with_minus(f"{math.degrees(angle):.1f}°") for angle in angles]
     apart = lined_up(angles)
     sentence = _(
         "Euler's angles, about x, then y, then z: {x}, {y}, {z}. The axes of x and z are {apart:.1f}° apart"

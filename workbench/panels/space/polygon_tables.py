@@ -15,6 +15,7 @@ from PySide6.QtCore import (
 )
 from PySide6.QtWidgets import QComboBox, QTableView, QVBoxLayout, QWidget
 
+from workbench.algorithms.numerals import with_minus
 from workbench.algorithms.solids.tables import PolygonTables, polygon_tables
 from workbench.document.scene.model import Object
 from workbench.exchange.tables import Table
@@ -107,7 +108,7 @@ class _Rows(QAbstractTableModel):
         if role == Qt.ItemDataRole.DisplayRole:
             value = self.row(index.row())[index.column()]
             text = f"{value + 0.0:.4g}" if isinstance(value, float) else str(value)
-            return text.replace("-", "−")
+            return with_minus(text)
         if role == Qt.ItemDataRole.TextAlignmentRole:
             return Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
         return None

@@ -5,6 +5,7 @@ from PySide6.QtCore import QLineF, QPointF, QRect, QRectF, Qt
 from PySide6.QtGui import QPainter, QPen, QPolygonF
 from PySide6.QtWidgets import QWidget
 
+from workbench.algorithms.numerals import with_minus
 from workbench.geometry.meshes import Array
 from workbench.rendering.scene.volume import clip_segments, side_planes
 from workbench.widgets.look.tokens import colour, tokens
@@ -17,7 +18,7 @@ _SIDES = ((True, 0), (False, 0), (True, 1), (False, 1), (True, -1), (False, -1),
 
 def short(value: float, digits: int = 3) -> str:
     """A number of the picture to so many digits; what is left of a rounding is 0."""
-    return f"{0.0 if abs(value) < _CRUMB else value:.{digits}g}".replace("-", "−")
+    return with_minus(f"{0.0 if abs(value) < _CRUMB else value:.{digits}g}")
 
 
 def lines(painter: QPainter, starts: Array, ends: Array, pen: QPen) -> None:

@@ -10,6 +10,7 @@ from msgspec.structs import replace
 from numpy.typing import NDArray
 
 from workbench.algorithms.marks import Ink, Word
+from workbench.algorithms.numerals import with_minus
 from workbench.algorithms.transforms import Matrix
 from workbench.document.model import AnyFigure, Line, Polygon, Polyline, Rectangle, Sheet, View
 from workbench.document.transforms.chains import is_singular, transformed
@@ -81,7 +82,7 @@ def plane(scale: DeviceMap, area: Area, unit: float) -> Iterator[Drawn]:
             x, y = scale.point(k * step, k * step)
             edge = min(abs(x - left), abs(right - x)) if across else min(abs(y - bottom), abs(top - y))
             if k and edge > 14 * unit:
-                text = f"{k * step:g}".replace("-", "−")
+                text = with_minus(f"{k * step:g}")
                 yield Word(text, x, at_y, "muted", 0, -1) if across else Word(text, at_x, y, "muted", -1, 0)
     yield Word("x", right, at_y, "muted", -1, 1)
     yield Word("y", at_x, top, "muted", 1, -1)

@@ -11,6 +11,7 @@ import numpy as np
 from msgspec.structs import replace
 from numpy.typing import NDArray
 
+from workbench.algorithms.numerals import with_minus
 from workbench.algorithms.projection import Classification, classify
 from workbench.document.scene.looking import projecting
 from workbench.document.scene.model import Camera, Scene
@@ -299,7 +300,7 @@ def _kinds(camera: Camera) -> tuple[tuple[str, tuple[float, float, float]], ...]
 
 
 def _n(value: float) -> str:
-    return f"{0.0 if abs(value) < _CRUMB else value:.3g}".replace("-", "−")
+    return with_minus(f"{0.0 if abs(value) < _CRUMB else value:.3g}")
 
 
 def _degrees(value: float) -> str:

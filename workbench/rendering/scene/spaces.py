@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from workbench.algorithms import catalogue
+from workbench.algorithms.numerals import with_minus
 from workbench.language import _
 from workbench.rendering.scene.arena import MethodRun, space_of
 from workbench.rendering.scene.growth import Growth
@@ -185,7 +186,7 @@ def _powers(growth: Mapping[str, Growth], which: int, letter: str, said: Sequenc
 
 
 def _power_text(power: float) -> str:
-    return f"{round(power, 1) + 0.0:.1f}".replace("-", "−")
+    return with_minus(f"{round(power, 1) + 0.0:.1f}")
 
 
 def _examples(measures: Measures) -> SpaceRow:

@@ -239,7 +239,7 @@ class NumberField(QWidget):
 
     def _show(self) -> None:
         self.complain("")
-        text = f"{self._value:.10g}".replace("-", "−")
+        text = with_minus(f"{self._value:.10g}")
         if text != self.field.text() or self.field.isModified():
             chosen = self.field.selectedText() == self.field.text()
             self.field.setText(text)

@@ -17,6 +17,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QWidget
 
+from workbench.algorithms.numerals import with_minus
 from workbench.exchange.formulas.copying import cell_text, latex, numpy_text, plain, plain_formula
 from workbench.exchange.formulas.terms import Cell, Matrix, Place, Shows
 from workbench.language import _
@@ -181,7 +182,7 @@ class MatrixRow(RowSurface):
             return
         self.set_current(place)
         self._typing = place
-        shown = f"{value + 0.0:.10g}".replace("-", "−")
+        shown = with_minus(f"{value + 0.0:.10g}")
         font = code_font(max(self._sizes))
         self.editor.open_at(
             self.cell_box(place), shown if text is None else text, self.described(place), font

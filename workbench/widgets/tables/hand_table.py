@@ -17,6 +17,7 @@ from PySide6.QtGui import QAction, QResizeEvent
 from PySide6.QtWidgets import QTableView, QVBoxLayout, QWidget
 
 from workbench.algorithms.entry import Entry
+from workbench.algorithms.numerals import with_minus
 from workbench.engine.observation import Steps
 from workbench.engine.recording import Recording
 from workbench.exchange.run_tables import hand
@@ -109,9 +110,7 @@ class HandModel(QAbstractTableModel):
             if steps is None or number > len(steps):
                 return None
             row = steps.row(number)
-            return (
-                shown(row[index.column()]).replace("-", "\N{MINUS SIGN}") if index.column() < len(row) else ""
-            )
+            return with_minus(shown(row[index.column()])) if index.column() < len(row) else ""
         if role == Qt.ItemDataRole.TextAlignmentRole:
             return _RIGHT
         now = tokens()

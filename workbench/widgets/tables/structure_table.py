@@ -6,6 +6,7 @@ from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelInd
 from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import QLabel, QSizePolicy, QTableView, QVBoxLayout, QWidget
 
+from workbench.algorithms.numerals import with_minus
 from workbench.engine.observation import Table
 from workbench.exchange.tables import shown, typeset
 from workbench.language import _, ngettext
@@ -58,7 +59,7 @@ class StructureModel(QAbstractTableModel):
         if role == Qt.ItemDataRole.DisplayRole:
             row = self.table[1][index.row()]
             value = row[index.column()] if index.column() < len(row) else ""
-            return shown(value).replace("-", "\N{MINUS SIGN}")
+            return with_minus(shown(value))
         if role == Qt.ItemDataRole.TextAlignmentRole:
             return Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
         return code_font(12) if role == Qt.ItemDataRole.FontRole else None

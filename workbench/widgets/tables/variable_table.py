@@ -7,6 +7,7 @@ from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelInd
 from PySide6.QtGui import QFontMetrics
 from PySide6.QtWidgets import QHeaderView, QTableView, QVBoxLayout, QWidget
 
+from workbench.algorithms.numerals import with_minus
 from workbench.engine.containers import LeftOut, same
 from workbench.exchange.tables import shown
 from workbench.language import _, ngettext
@@ -36,7 +37,7 @@ def value_text(value: Any) -> str:
         return ngettext("{count:,} item", "{count:,} items", len(value)).format(count=len(value))
     if isinstance(value, bool):
         return str(value)
-    return shown(value).replace("-", "\N{MINUS SIGN}") if isinstance(value, int | float) else shown(value)
+    return with_minus(shown(value)) if isinstance(value, int | float) else shown(value)
 
 
 class VariableModel(QAbstractTableModel):

@@ -19,6 +19,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
+from workbench.algorithms.numerals import with_minus
 from workbench.algorithms.scanning.electron_optics import FACE_MM
 from workbench.display.cutaway import (
     Box,
@@ -315,7 +316,7 @@ class GunView(QWidget):
         z, _x, y, _r = self._way[-1]
         if z >= self._gun.screen and abs(y) * self._scale >= _LEAST_HEIGHT_PX:
             foot, tip = self.place_px(z - _BEFORE_MM, 0.0), self.place_px(z - _BEFORE_MM, y)
-            paint_height(painter, foot, tip, f"y = {y:.1f} mm".replace("-", "\u2212"), tokens())
+            paint_height(painter, foot, tip, with_minus(f"y = {y:.1f} mm"), tokens())
 
     def _size_of(self, metrics: QFontMetricsF, label: Label, wording: str) -> tuple[float, float]:
         """Width and height of a label's box in millimetres, in one of ``_WORDINGS``."""

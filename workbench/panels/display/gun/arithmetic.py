@@ -1,11 +1,12 @@
 """The arithmetic of the cards: each formula of the course with its numbers put in, as rich text."""
 
+from workbench.algorithms.numerals import with_minus
 from workbench.display.gun import Gun
 from workbench.language import _
 
 
 def _short(value: float) -> str:
-    return f"{value:.4g}".replace("-", "\u2212")
+    return with_minus(f"{value:.4g}")
 
 
 def _strong(text: str) -> str:
@@ -42,7 +43,7 @@ def deflection_line(gun: Gun, way: str, seconds: float | None) -> str:
     drive = float(gun.arguments(seconds)[4][0 if way == "x" else 1])
     end = gun.way(seconds)[-1]
     lands = end[0] >= gun.screen
-    place = f"{end[1 if way == 'x' else 2]:.1f}".replace("-", "\u2212")
+    place = with_minus(f"{end[1 if way == 'x' else 2]:.1f}")
     value = _amount(place, "mm")
     name = f"<i>{way}</i>"
     if gun.beam_current <= 0.0:

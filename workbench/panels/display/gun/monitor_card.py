@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from workbench.algorithms.numerals import with_minus
 from workbench.display.gun import Gun
 from workbench.display.monitor import Knobs, grid_voltage, level_of
 from workbench.document.fields import Number, numbers_of
@@ -161,4 +162,4 @@ class MonitorCard(QFrame):
         self.contrast.set_value(knobs.contrast)
         black, white = (grid_voltage(level, knobs, gun.cut_off) for level in (0.0, 1.0))
         words = _("V_g {black:.3g} to {white:.3g} V").format(black=black, white=white)
-        self.line.setText(lowered(words.replace("-", "\u2212")))
+        self.line.setText(lowered(with_minus(words)))

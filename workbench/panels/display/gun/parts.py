@@ -3,6 +3,7 @@
 from dataclasses import replace
 from typing import NamedTuple
 
+from workbench.algorithms.numerals import with_minus
 from workbench.algorithms.scanning.electron_optics import LENS_MM, exact_speed
 from workbench.display.cutaway import Part
 from workbench.display.gun import Deflection, Gun
@@ -155,7 +156,7 @@ def numbers_of(part: Part, gun: Gun) -> list[tuple[str, str]]:
             doubt = _(" (uncertain)") if phosphor.uncertain else ""
             _z, x, y, _r = way[-1]
             return [
-                (_("Spot at"), f"({x:.4g}, {y:.4g}) mm".replace("-", "\u2212")),
+                (_("Spot at"), with_minus(f"({x:.4g}, {y:.4g}) mm")),
                 (_("Colour"), phosphor.colour_name.split(",")[0]),
                 (_("Persistence to 10 %"), f"{phosphor.t10_s * 1e3:.3g} ms{doubt}"),
                 (_("Left when drawn again"), f"{left:.3g} %"),

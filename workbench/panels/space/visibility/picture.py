@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtGui import QColor
 
+from workbench.algorithms.numerals import with_minus
 from workbench.panels.space.visibility.depth_run import DepthRun
 from workbench.panels.stage.heat import heated
 from workbench.panels.stage.picture import Pixels, data_colours, packed
@@ -144,4 +145,4 @@ def _short(z: float, run: DepthRun) -> str:
 
 
 def _plain(value: float) -> str:
-    return f"{value:.5g}".replace("-", "−")
+    return with_minus(f"{value:.5g}")
