@@ -181,11 +181,6 @@ class ProjectionPage(ViewCommands, PlainPage, QWidget):
 
     # What the panel is told
 
-    @property
-    def widget(self) -> QWidget:
-        """Itself."""
-        return self
-
     def docks(self) -> Sequence[DockPart]:
         """Objects, the family of projections, named views, polygon tables."""
         right = Qt.DockWidgetArea.RightDockWidgetArea

@@ -132,11 +132,6 @@ class ArenaPage(PlainPage, QWidget):
 
     # What Space asks of a page
 
-    @property
-    def widget(self) -> QWidget:
-        """Itself."""
-        return self
-
     def docks(self) -> Sequence[DockPart]:
         """The table of the two spaces, and how the time grows."""
         right = Qt.DockWidgetArea.RightDockWidgetArea
@@ -168,10 +163,6 @@ class ArenaPage(PlainPage, QWidget):
         QGuiApplication.clipboard().setPixmap(self.grid.tiles_grabbed())
         self.hover_text.emit(_("The pictures are on the clipboard."))
         return True
-
-    def paste(self) -> bool:
-        """Nothing can be pasted here."""
-        return False
 
     def derivation(self) -> Derivation | None:
         """The two spaces as a page; None where there is no scene."""

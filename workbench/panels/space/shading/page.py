@@ -14,7 +14,6 @@ from workbench.algorithms import catalogue
 from workbench.document.scene.model import Scene
 from workbench.document.subjects import Subject
 from workbench.exchange.diagrams import Derivation
-from workbench.exchange.tables import Table
 from workbench.language import _
 from workbench.panels.panel import Cell, DockPart, KeysWhileSeen, Said
 from workbench.panels.space.looking import Looking
@@ -137,11 +136,6 @@ class ShadingPage(PlainPage, QWidget):
 
     # What Space asks of a page
 
-    @property
-    def widget(self) -> QWidget:
-        """Itself."""
-        return self
-
     def docks(self) -> Sequence[DockPart]:
         """Lights, and what materials make of them."""
         return (("lamps", _("Lights"), self.lamps, Qt.DockWidgetArea.RightDockWidgetArea),)
@@ -154,19 +148,11 @@ class ShadingPage(PlainPage, QWidget):
         """What is said in passing, and the scale."""
         return Said(self.hover_text, self.zoom_text)
 
-    def tables(self) -> Sequence[tuple[str, Table]]:
-        """None but those of the run."""
-        return ()
-
     def copy(self) -> bool:
         """Put what is shown on the clipboard."""
         QGuiApplication.clipboard().setPixmap(self.stack.grab())
         self.hover_text.emit(_("The picture is on the clipboard."))
         return True
-
-    def paste(self) -> bool:
-        """Nothing can be pasted here."""
-        return False
 
     def derivation(self) -> Derivation | None:
         """The light of the chosen pixel, else of that which was lit last; None before anything is lit."""

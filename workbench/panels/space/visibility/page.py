@@ -10,7 +10,6 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 from workbench.document.errors import DocumentError
 from workbench.document.subjects import Subject
 from workbench.exchange.diagrams import Derivation
-from workbench.exchange.tables import Table
 from workbench.language import _
 from workbench.panels.panel import Cell, DockPart, KeysWhileSeen, Said
 from workbench.panels.space.visibility.back_face_run import (
@@ -153,11 +152,6 @@ class VisibilityPage(PlainPage, QWidget):
 
     # What Space asks of a page
 
-    @property
-    def widget(self) -> QWidget:
-        """Itself."""
-        return self
-
     def docks(self) -> Sequence[DockPart]:
         """What came to a pixel, and what the method gives and costs."""
         right = Qt.DockWidgetArea.RightDockWidgetArea
@@ -174,19 +168,11 @@ class VisibilityPage(PlainPage, QWidget):
         """What is said in passing, and the scale."""
         return Said(self.hover_text, self.zoom_text)
 
-    def tables(self) -> Sequence[tuple[str, Table]]:
-        """None but those of the run."""
-        return ()
-
     def copy(self) -> bool:
         """Put the picture on the clipboard."""
         QGuiApplication.clipboard().setPixmap(self.canvas.grab())
         self.hover_text.emit(_("The picture is on the clipboard."))
         return True
-
-    def paste(self) -> bool:
-        """Nothing can be pasted here."""
-        return False
 
     def derivation(self) -> Derivation | None:
         """The depth buffer at its step; None where something else is stepped, or nothing can be."""
