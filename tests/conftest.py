@@ -27,8 +27,9 @@ os.environ.setdefault("GRAPHICS_WORKBENCH_CACHE", str(ROOT / ".pytest_cache" / "
 # The tests are on all cores already: more threads for small products only wait for one another, and busily.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 os.environ.setdefault("OMP_NUM_THREADS", "1")
-# Of the many processes that tests start, each would compile hundreds of modules anew.
+# Each process would compile hundreds of modules anew, this one as those that tests start.
 os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+sys.dont_write_bytecode = False
 
 settings.register_profile(
     "workbench", deadline=None, max_examples=60, suppress_health_check=[HealthCheck.too_slow]

@@ -31,6 +31,11 @@ def test_a_blank_sheet_is_blank() -> None:
     assert check(blank_sheet(12, 7)).sheets[0].figures == ()
 
 
+def test_the_examples_are_made_once() -> None:
+    """All of them are made to find one, and a page asks for several."""
+    assert example("house").document is example("house").document
+
+
 @pytest.mark.parametrize("slug", [one.slug for one in examples()])
 def test_every_example_is_sound_and_in_its_picture(slug: str) -> None:
     one = example(slug)

@@ -247,6 +247,20 @@ def test_every_use_of_a_kernel_is_known_when_it_was_compiled(own_cache: Path) ->
         assert compiled.ready(entry.function, use)
 
 
+def test_only_what_is_called_from_python_can_be(own_cache: Path) -> None:
+    """What lets Python call a function has to be compiled, and is cached, with each of them."""
+    compiled.collect(LINE, 0, 0, 5, 3)
+    module = compiled.kernel(LINE)._module(True)
+    called = {
+        name
+        for name, each in vars(module).items()
+        for overload in getattr(each, "overloads", {}).values()
+        for function in overload.library.get_defined_functions()
+        if "cpython" in function.name
+    }
+    assert called == {"_collect"}
+
+
 def test_importing_the_compiled_reading_does_not_import_the_compiler() -> None:
     program = "import sys, workbench.engine.compiled as c; c.available(); sys.exit('numba' in sys.modules)"
     environment = {**os.environ, "PYTHONPATH": str(Path(__file__).parents[2])}

@@ -1,9 +1,13 @@
 """Short texts that would take minutes, and long ones that would take gigabytes, if they were believed."""
 
+from collections.abc import Callable
+
 import pytest
 
 from tests.soak.cases import soaked
-from tests.soak.confined import MOST_MB, MOST_S, confined
+from tests.soak.confined import MOST_MB, MOST_S
+
+Says = Callable[[str, str], str]
 
 SVG = """
 from workbench.exchange.svg_paths import read_svg
@@ -122,7 +126,9 @@ sheet = b'"document":{"sheets":[{"id":"s1","palette":'
         (GWB, """gwb(1, b'"x":[' + b'[],' * 900_000 + b'1]}')""", "x is a field"),
     ],
 )
-def test_it_is_read_or_refused_before_it_takes_long_or_much(imports: str, call: str, said: str) -> None:
+def test_it_is_read_or_refused_before_it_takes_long_or_much(
+    confined: Says, imports: str, call: str, said: str
+) -> None:
     assert said in confined(imports, call)
 
 
@@ -134,7 +140,7 @@ def test_whatever_is_mangled_is_read_or_refused_in_one_sentence(kind: str, count
     assert outcome.peak_mb < MOST_MB
 
 
-def test_100_000_points_are_fitted_or_refused() -> None:
+def test_100_000_points_are_fitted_or_refused(confined: Says) -> None:
     imports = (
         "import sys, numpy as np; from workbench.algorithms.curves import fit_pieces\n"
         "u = np.linspace(0, 60, 100_000); wave = np.column_stack([5 * u, 100 * np.sin(u)])\n"

@@ -12,7 +12,6 @@ import trimesh
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tests.soak.confined import confined
 from workbench.algorithms import solids
 from workbench.exchange.mesh_reading import ImportedMesh, read_mesh
 from workbench.exchange.reading import Job, Reading
@@ -21,6 +20,8 @@ from workbench.geometry.meshes import Faces, Mesh, triangulated
 # Meshes that everybody knows, in a folder beside the checkout; they are not part of the project
 MODELS = Path(__file__).resolve().parents[3] / "shared" / "data" / "models"
 CUBE = solids.cube()
+
+Says = Callable[[str, str], str]
 
 
 def faces_of(mesh: Mesh) -> list[list[int]]:
@@ -293,7 +294,7 @@ def test_a_child_reads_a_mesh_and_tells_how_far_it_is(tmp_path: Path) -> None:
     assert len(shares) > 1
 
 
-def test_500_mb_are_refused_before_they_are_read(tmp_path: Path) -> None:
+def test_500_mb_are_refused_before_they_are_read(tmp_path: Path, confined: Says) -> None:
     with (tmp_path / "large.obj").open("wb") as file:
         file.truncate(500 * 2**20)
     imports = "from workbench.exchange.reading import *"
@@ -326,7 +327,7 @@ HEAD = "b'ply\\nformat %s 1.0\\nelement vertex 3\\nproperty float x\\nproperty f
         ("read_mesh(b'solid ' + b'facet normal 0 0 1\\n' * 100_000, '.stl')", "has no face"),
     ],
 )
-def test_what_promises_much_takes_little(call: str, said: str) -> None:
+def test_what_promises_much_takes_little(confined: Says, call: str, said: str) -> None:
     assert said in confined(MESH, call)
 
 

@@ -63,7 +63,7 @@ def test_switches_leave_the_number_of_widgets_unchanged(qtbot: QtBot, window: Ma
         window.go(slug)
         settle()
     before = len(window.findChildren(QWidget)), len(QApplication.allWidgets())
-    for _round in range(5):
+    for _round in range(2):
         for slug in slugs:
             window.go(slug)
         settle()

@@ -1,6 +1,9 @@
-"""Code run in a process that may take five seconds of the processor, and tells how much memory it took."""
+"""Code run in a process that may take five seconds of the processor, and tells how much memory it took.
 
-import resource
+What the code imports is imported once, by a process that has a child for each call.
+"""
+
+import json
 import subprocess
 import sys
 from pathlib import Path
@@ -9,37 +12,58 @@ ROOT = Path(__file__).resolve().parents[2]
 MOST_S = 5
 MOST_MB = 500
 
-_AROUND = """
-import warnings
+_PARENT = f"""
+import json, os, resource, sys, traceback, warnings
 warnings.simplefilter("error")
-import resource
-def peak(): return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss // 1024
-{imports}
-before = peak()
-try:
-    {call}
-    said = "read"
-except ValueError as error:
-    said = str(error)
-print(said)
-print(peak() - before)
+exec(sys.argv[1])
+
+def peak():
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss // 1024
+
+def answer(call):
+    resource.setrlimit(resource.RLIMIT_CPU, ({MOST_S}, {MOST_S}))
+    before, said, fault = peak(), "read", ""
+    try:
+        eval(call)
+    except ValueError as error:
+        said = str(error)
+    except BaseException:
+        fault = traceback.format_exc(-3)
+    print(json.dumps([said, peak() - before, fault]), flush=True)
+
+for line in sys.stdin:
+    if not os.fork():
+        answer(json.loads(line))
+        os._exit(0)
+    if status := os.wait()[1]:
+        print(json.dumps(["", 0, f"status {{os.waitstatus_to_exitcode(status)}}"]), flush=True)
 """
 
 
-def confined(imports: str, call: str, *words: str) -> str:
-    """What is said by ``call``, an expression: "read", or the sentence of the ValueError that it raises.
+class Confined:
+    """Says of a call, an expression over what ``imports`` has: "read", or the sentence of its ValueError.
 
     It fails where more than ``MOST_S`` or, above what the imports take, ``MOST_MB`` are needed.
     """
-    told = subprocess.run(
-        [sys.executable, "-c", _AROUND.format(imports=imports, call=call), *words],
-        cwd=ROOT,
-        capture_output=True,
-        text=True,
-        check=False,
-        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (MOST_S, MOST_S)),
-    )
-    assert told.returncode == 0, f"status {told.returncode}: {told.stderr[-500:]}"
-    said, grown = told.stdout.splitlines()
-    assert int(grown) < MOST_MB, f"{grown} MB: {said}"
-    return said
+
+    def __init__(self, imports: str) -> None:
+        self._parent = subprocess.Popen(
+            [sys.executable, "-c", _PARENT, imports],
+            cwd=ROOT,
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            text=True,
+        )
+
+    def __call__(self, call: str) -> str:
+        assert self._parent.stdin is not None
+        assert self._parent.stdout is not None
+        print(json.dumps(call), file=self._parent.stdin, flush=True)
+        said, grown, fault = json.loads(self._parent.stdout.readline())
+        assert fault == ""
+        assert grown < MOST_MB, f"{grown} MB: {said}"
+        return str(said)
+
+    def close(self) -> None:
+        """End the process."""
+        self._parent.communicate()

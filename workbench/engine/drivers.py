@@ -12,17 +12,17 @@ FIGURES = {"pixels": "PaintFigure", "coverage": "BlendFigure", "spans": "PaintFi
 _HEAD = "from workbench.engine.sinks import {names}"
 
 _PLAIN = """
-@reading
+@driver
 def _collect(_values, _count, _stop, {arguments}):
     {name}(Collect(_values, _count, _stop), {arguments})
 
-@reading
+@driver
 def _run(_stop, {arguments}):
     {name}(Nothing(_stop), {arguments})
 """
 
 _COLLECT_MANY = """
-@reading
+@driver
 def _collect_many(_values, _count, _ends, _stop, _rows):
     for row in range(len(_rows)):
         if _stop[0] != 0:
@@ -32,24 +32,24 @@ def _collect_many(_values, _count, _ends, _stop, _rows):
 """
 
 _PAINTED = """
-@reading
+@driver
 def _painted(_sink, {arguments}):
     if not {painter}(_sink, {arguments}):
         {name}(_sink, {arguments})
 """
 
 _PAINT = """
-@reading
+@driver
 def _paint(_image, _value, {arguments}):
     {painter}({sink}(_image, _value), {arguments})
 """
 
 _PAINT_WITHIN = """
-@reading
+@driver
 def _extent({arguments}):
     return {extent}
 
-@reading
+@driver
 def _paint(_image, _value, {arguments}):
     _height, _width = _image.shape
     _box = _extent({arguments})
@@ -62,7 +62,7 @@ def _paint(_image, _value, {arguments}):
 """
 
 _PAINT_MANY = """
-@reading
+@driver
 def _paint_many(_image, _value, _stop, _rows):
     for row in range(len(_rows)):
         if _stop[0] != 0:
@@ -71,7 +71,7 @@ def _paint_many(_image, _value, _stop, _rows):
 """
 
 _PAINT_BATCH = """
-@reading
+@driver
 def _paint_batch(_first, _last, _image, _painter, _bounds, _colours, _numbers, {given}):
     _seen = Bounds(_bounds[0], _bounds[1], _bounds[2], _bounds[3])
     for row in range(_first, _last):
@@ -79,20 +79,20 @@ def _paint_batch(_first, _last, _image, _painter, _bounds, _colours, _numbers, {
 """
 
 _HITS = """
-@reading
+@driver
 def _hits(_x, _y, _numbers, _count, _found, _stop, {arguments}):
     {name}({sink}(_x, _y, _numbers, _count, _found, _stop), {arguments})
 """
 
 
 _COUNT = """
-@reading
+@driver
 def _count(_runs, _visits, _blocks, _emitted, _stop, {arguments}):
     {name}(Count(_runs, _visits, _blocks, _emitted, _stop), {arguments})
 """
 
 _PROBE = """
-@reading
+@driver
 def _probe(_x, _y, _touches, _found, _rows, _blocks, _steps, _emitted, _stop, {arguments}):
     {name}({sink}(_x, _y, _touches, _found, _rows, _blocks, _steps, _emitted, _stop), {arguments})
 """

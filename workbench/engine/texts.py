@@ -25,7 +25,7 @@ ENTER, READING, LEAVE = "_enter", "_reading", "_leave"
 RESERVED = {SINK, VISIT, PLACE, BESIDE, CHOSEN, TAKEN, ENTER, READING, LEAVE, "emit", "tick", "probe"}
 
 # Names at the top of its module: decorators, the drivers behind it, and the sinks that those hand over.
-DECORATORS = {"part", "reading"}
+DECORATORS = {"driver", "part", "reading"}
 DRIVEN = {
     *("_collect", "_collect_many", "_run", "_painted", "_extent", "_paint", "_paint_many", "_paint_batch"),
     *("_hits", "_count", "_probe", Stopped.__name__),

@@ -1,5 +1,7 @@
 """Documents that are there from the start: a blank sheet, and small pictures worth looking at."""
 
+from functools import cache
+
 from workbench.document.model import AnyFigure, Circle, Document, Ellipse
 from workbench.document.samples.animate import animate_examples
 from workbench.document.samples.arena import arena_examples
@@ -49,9 +51,10 @@ def example_document() -> Document:
     return document_of(_("A line"), 40, 28, [line((20, 10), (30, 18))])
 
 
-def examples() -> list[Example]:
-    """Every built-in document, in the order of the list that a person sees."""
-    return [
+@cache
+def examples() -> tuple[Example, ...]:
+    """Every built-in document, in the order of the list that a person sees; always the same ones."""
+    return (
         Example(
             "line",
             _("A line"),
@@ -100,7 +103,7 @@ def examples() -> list[Example]:
         *raster_examples(),
         *display_examples(),
         *colour_examples(),
-    ]
+    )
 
 
 def example(slug: str) -> Example:
