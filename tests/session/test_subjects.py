@@ -5,6 +5,8 @@ from pathlib import Path
 
 import pytest
 from msgspec.structs import replace
+from PySide6.QtGui import QPaintEvent
+from PySide6.QtWidgets import QStackedWidget, QWidget
 from pytestqt.qtbot import QtBot
 
 from workbench.algorithms import catalogue
@@ -140,6 +142,40 @@ def test_each_workspace_comes_back_to_its_place(session: Session, qtbot: QtBot) 
     session.visit("fill", Subject())
     recorded(session, qtbot)
     assert (session.run.position, session.state.step) == (3, 3)
+
+
+class Page(QWidget):
+    """Tells when it is painted."""
+
+    def __init__(self, told: list[str]) -> None:
+        super().__init__()
+        self.told = told
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        self.told.append("painted")
+
+
+def test_what_is_entered_is_painted_before_its_run_follows(session: Session, qtbot: QtBot) -> None:
+    told: list[str] = []
+    window, page = QStackedWidget(), Page(told)
+    qtbot.addWidget(window)
+    window.addWidget(QWidget())
+    window.addWidget(page)
+    with qtbot.waitExposed(window):
+        window.show()
+    session.run.changed.connect(lambda: told.append("run"))
+    session.state_changed.connect(lambda *_states: told.append("state"))
+    window.setCurrentWidget(page)
+    session.visit("clip", Subject("clipper"))
+    assert session.state.workspace == "clip"
+    assert session.run.entry is not None
+    qtbot.waitUntil(lambda: "state" in told)
+    assert list(dict.fromkeys(told))[:3] == ["painted", "run", "state"]
+    told.clear()
+    session.update_state(ask_first=True)
+    page.update()
+    qtbot.waitUntil(lambda: len(told) >= 2)
+    assert told[0] == "state"  # on the page that is seen nothing is painted that is out of date
 
 
 def test_lines_are_counted_where_they_were_switched_on(session: Session, qtbot: QtBot) -> None:

@@ -5,15 +5,25 @@ import sys
 from collections.abc import Iterator
 
 import pytest
-from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, Qt
-from PySide6.QtGui import QMouseEvent
-from PySide6.QtWidgets import QApplication, QDockWidget, QLineEdit, QScrollArea, QTabBar, QWidget
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, QSize, Qt
+from PySide6.QtGui import QMouseEvent, QResizeEvent
+from PySide6.QtWidgets import (
+    QApplication,
+    QDockWidget,
+    QLabel,
+    QLineEdit,
+    QScrollArea,
+    QStackedWidget,
+    QTabBar,
+    QWidget,
+)
 from pytestqt.qtbot import QtBot
 
 from workbench.document.samples.examples import example, example_document, examples
 from workbench.panels.animate.panel import AnimatePanel
 from workbench.panels.shared.tube_dock import TubeDock
 from workbench.session.session import Session
+from workbench.shell.arrangement import Arrangements
 from workbench.shell.dock_area import DockArea
 from workbench.shell.hints import Hints
 from workbench.shell.settings import Settings
@@ -100,6 +110,42 @@ def test_no_workspace_paints_the_tabs_of_another(window: MainWindow, size: tuple
         for one in bars:
             for other in bars:
                 assert one is other or not one.geometry().intersects(other.geometry())
+
+
+class Resized(QLabel):
+    """Keeps the sizes that it is given."""
+
+    def __init__(self) -> None:
+        super().__init__("part")
+        self.sizes: list[QSize] = []
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self.sizes.append(event.size())
+
+
+@pytest.mark.parametrize("kept", [False, True])
+def test_docks_are_not_laid_out_again_and_again_on_the_way_in(qtbot: QtBot, kept: bool) -> None:
+    stack = QStackedWidget()
+    qtbot.addWidget(stack)
+    stack.resize(1200, 700)
+    stack.addWidget(QWidget())
+    stack.show()
+    right = Qt.DockWidgetArea.RightDockWidgetArea
+    settings = Settings()
+    for _time in range(1 + kept):
+        arrangements = Arrangements(stack, settings)
+        parts = [Resized() for _part in range(5)]
+        docks = [(f"d{n}", f"D{n}", part, right) for n, part in enumerate(parts)]
+        steps = sum(1 for _step in arrangements.add("some", QLabel("middle"), docks, ("d3", "d4")))
+        assert steps == len(docks)  # each comes into the window in a step of its own
+        assert arrangements.show("some")
+        settle()
+        assert max(len(part.sizes) for part in parts) <= 3
+        upper, lower = arrangements.docks("some")[0], arrangements.docks("some")[3]
+        assert upper.width() == lower.width() == pytest.approx(0.36 * 1200, abs=6)
+        assert upper.height() > lower.height()
+        arrangements.leave()
 
 
 def drag(bar: QTabBar, start: QPoint, places: list[QPoint]) -> None:

@@ -341,8 +341,9 @@ def _lines(gun: Gun) -> tuple[Points, Points]:
 def _covers(box: Box, lines: tuple[Points, Points]) -> bool:
     """Whether any of the lines passes through a box."""
     starts, ways = lines
-    sides = (np.array(box).reshape(2, 1, 2) - starts) / ways
-    enters, leaves = sides.min(axis=0).max(axis=1), sides.max(axis=0).min(axis=1)
+    low, high = (box[:2] - starts) / ways, (box[2:] - starts) / ways
+    near, far = np.minimum(low, high), np.maximum(low, high)
+    enters, leaves = np.maximum(near[:, 0], near[:, 1]), np.minimum(far[:, 0], far[:, 1])
     return bool((np.maximum(enters, 0.0) < np.minimum(leaves, 1.0)).any())
 
 

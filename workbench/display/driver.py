@@ -5,7 +5,7 @@ phosphor's persistence still shows; otherwise the beam is where it is. A picture
 computed in closed form.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from typing import Any
 
@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.display.beam import Beam, BeamState
-from workbench.display.tube import Tube
+from workbench.display.tube import PICOSECOND, Tube
 
 Light = NDArray[np.float32]
 
@@ -131,6 +131,24 @@ class TubeDriver:
     def state(self) -> BeamState:
         """The beam now."""
         return self.beam.state(self.tube.seconds)
+
+
+def driven(
+    make: Callable[[], tuple[Tube, Beam]],
+    seconds: Fraction,
+    slow_motion: float,
+    calm: bool,
+    held_at: Fraction | None = None,
+) -> TubeDriver:
+    """The driver of a new tube and its beam after so many seconds, as if they had run for long; ``held_at``
+    is the time since the start of a picture at which it stands."""
+    tube, beam = make()
+    tube.skip(seconds / PICOSECOND)
+    driver = TubeDriver(tube, beam)
+    driver.settle()
+    if held_at is not None or not must_average(1.0 / float(beam.frame_s), slow_motion, calm):
+        driver.hold_at(seconds if held_at is None else held_at)
+    return driver
 
 
 def _like(lights: Sequence[Light]) -> list[Light]:

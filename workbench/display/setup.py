@@ -241,3 +241,11 @@ def vector_beam(
     power = _LINE_PEAK * (2.0 * np.pi) ** 0.5 * tube.spot_mm * speed_mm_s / (_FULL_RATE_HZ * pixel)
     blanked = setup.blanked_current
     return VectorBeam(tube, drawn, timing, float(power), shortest_ps, blanked)
+
+
+def drawing_tube(
+    strokes: DeviceStrokes, picture_px: tuple[int, int], size_px: tuple[int, int], setup: TubeSetup
+) -> tuple[Tube, VectorBeam]:
+    """A ``vector_tube`` and the ``vector_beam`` that draws ``strokes`` on it."""
+    tube = vector_tube(picture_px, size_px, setup)
+    return tube, vector_beam(tube, strokes, picture_px, setup)

@@ -184,6 +184,11 @@ def _with_room(kept: NDArray[np.int32], needed: int) -> NDArray[np.int32]:
     return grown
 
 
+def read(entry: Entry) -> None:
+    """Read the texts of an entry and their blocks, so that its first run need not. Raises ViewError."""
+    _viewed_blocks(entry, Recording(texts_of(entry.function)))
+
+
 def skip(entry: Entry, steps: int) -> Skip:
     """What a recorder of ``entry`` passes over for its first event to be that of step ``steps`` + 1."""
     recording = Recording(texts_of(entry.function))

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from msgspec.structs import replace
-from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
 from workbench.document.addresses import changed as changed_addresses
 from workbench.document.check import check
@@ -79,6 +79,8 @@ class Session(QObject):
         self._following = Following(self, self.run, self.followers)
         self.unfolding, self.frames = Unfolding(self), Frames(self)
         self._due.connect(self.flush, Qt.ConnectionType.QueuedConnection)
+        self._entering = QTimer(self, singleShot=True)
+        self._entering.timeout.connect(self._due)
         self.undo_stack.cleanChanged.connect(self._clean_changed)
         self.undo_stack.indexChanged.connect(self._index_changed)
 
@@ -176,8 +178,7 @@ class Session(QObject):
 
     def visit(self, workspace: str, usual: Subject) -> None:
         """Step in this workspace from now on, where it was left, or the first time its ``usual`` subject."""
-        positions = {workspace: Position(usual), **self.state.positions}
-        self.update_state(workspace=workspace, positions=positions)
+        self.update_state(workspace=workspace, positions={workspace: Position(usual), **self.state.positions})
 
     def choices_of(self, subject: Subject | None = None) -> tuple[str, ...]:
         """The slugs that the subject, or another one, can be run under, its own first."""
@@ -351,8 +352,7 @@ class Session(QObject):
         forget()
         self.ahead.forget()
         self._blobs = stored.blobs
-        self.path = path
-        self._on_disk = on_disk
+        self.path, self._on_disk = path, on_disk
         self._show(stored.document)
         state, sentences = runnable(stored.session)
         self.state = cleaned(state, stored.document)
@@ -373,8 +373,7 @@ class Session(QObject):
             self._recovery.keep(kept if self.dirty else None, then)
 
     def _show(self, document: Document) -> None:
-        figure = self.active_figure
-        self.document = document
+        figure, self.document = self.active_figure, document
         self.state = cleaned(self.state, document)
         self._another_figure(figure)
         self.revision += 1
@@ -393,7 +392,8 @@ class Session(QObject):
     def _tell_later(self) -> None:
         if not self._waiting:
             self._waiting = True
-            self._due.emit()
+            entered = self.state.workspace != self._told[1].workspace  # it is painted before its runs follow
+            self._entering.start() if entered else self._due.emit()
 
     def _index_changed(self) -> None:
         if not self._pushing:

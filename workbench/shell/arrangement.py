@@ -1,6 +1,6 @@
 """The docking areas of the workspaces: made, shown one at a time, remembered, and put back."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from PySide6.QtWidgets import QDockWidget, QStackedWidget, QWidget
@@ -23,7 +23,9 @@ class _Workspace:
 
     def new_area(self) -> DockArea:
         """An area in place of the one that is there: Qt arranges docks well only once."""
-        self.area = DockArea(self.middle, self.parts, self.lower)
+        self.area = DockArea(self.middle, self.lower)
+        for part in self.parts:
+            self.area.add(part)
         self.arranged = False
         return self.area
 
@@ -38,11 +40,19 @@ class Arrangements:
         self._page: Reading | None = None
         self.current = ""
 
-    def add(self, slug: str, middle: QWidget, parts: Sequence[DockPart], lower: Sequence[str] = ()) -> None:
-        """Make the area of a workspace, which stays hidden until it is shown."""
-        area = DockArea(middle, parts, lower)
-        self._workspaces[slug] = _Workspace(middle, parts, lower, area)
+    def add(
+        self, slug: str, middle: QWidget, parts: Sequence[DockPart], lower: Sequence[str] = ()
+    ) -> Iterator[None]:
+        """Make the area of a workspace, a dock in each step; it stays hidden until it is shown.
+
+        Everything in it takes the style of the window as it comes in, which would be long all at once.
+        """
+        area = DockArea(middle, lower)
         self._stack.addWidget(area)
+        for part in parts:
+            yield
+            area.add(part)
+        self._workspaces[slug] = _Workspace(middle, parts, lower, area)
 
     def area(self, slug: str) -> DockArea | None:
         """The area of a workspace, once it was made."""
@@ -132,7 +142,7 @@ class Arrangements:
     def _arrange(self, workspace: _Workspace) -> bool:
         """Give the docks of a new area their places; False when those remembered could not be used."""
         kept = self._settings.arrangement(self.current)
-        self._stack.setCurrentWidget(workspace.area)
+        workspace.area.resize(self._stack.size())  # it is not on the screen yet: nothing is laid out twice
         usable = kept is None or workspace.area.restore(kept)
         if not usable:
             self._settings.forget_arrangement(self.current)

@@ -45,12 +45,12 @@ _TABS_PX = 30
 
 
 class DockArea(QMainWindow):
-    """A workspace's area. ``parts``: name, title, widget and side of each dock; those named in ``lower``
-    begin in the lower half of the right side. Widgets that another area shows stay there until ``gather``.
-    ``host`` is what the middle is in, ``halves`` the room that it has beside the docks.
+    """A workspace's area. Docks are added one by one; those named in ``lower`` begin in the lower half of the
+    right side. Widgets that another area shows stay there until ``gather``. ``host`` is what the middle is
+    in, ``halves`` the room that it has beside the docks.
     """
 
-    def __init__(self, middle: QWidget, parts: Sequence[DockPart], lower: Sequence[str]) -> None:
+    def __init__(self, middle: QWidget, lower: Sequence[str]) -> None:
         super().__init__()
         self.setWindowFlags(Qt.WindowType.Widget)
         self.setMinimumSize(1, 1)  # an area that is not shown must not hold the window open
@@ -61,6 +61,7 @@ class DockArea(QMainWindow):
         inner = middle.findChild(SwapPlace)
         self._middle = middle if inner is None else inner.content
         self._lower = tuple(lower)
+        self._columns: list[tuple[list[list[QDockWidget]], bool]] = []
         self._afloat: list[QDockWidget] = []
         self._rooms: dict[QDockWidget, QSize] = {}
         self._rooms_to_read: dict[QDockWidget, QSize] = {}
@@ -80,25 +81,24 @@ class DockArea(QMainWindow):
         self.tabs.chosen.connect(self.make_room)
         self._widgets: dict[str, QWidget] = {}
         self._sides: dict[str, Qt.DockWidgetArea] = {}
-        for name, title, widget, side in parts:
-            self._widgets[name] = widget
-            asked = _SIDES[side] if isinstance(side, str) else side
-            self._sides[name] = _SIDES["right"] if name in lower else asked
-            self._add(name, title)
-        for name, widget in self._widgets.items():
-            if self._sides[name] in (_SIDES["left"], _SIDES["right"]):
-                _let_be_low(widget)
-            if widget.parentWidget() is None:
-                self.dock(name).setWidget(widget)
         self._fill_middle(self._middle)
 
-    def _add(self, name: str, title: str) -> None:
+    def add(self, part: DockPart) -> None:
+        """Add a dock; those of one side keep the order in which they come."""
+        name, title, widget, side = part
+        asked = _SIDES[side] if isinstance(side, str) else side
+        self._widgets[name] = widget
+        self._sides[name] = _SIDES["right"] if name in self._lower else asked
         dock = QDockWidget(title, self)
         dock.setObjectName(name)
         dock.toggleViewAction().setToolTip(_("Show or hide {title}").format(title=title))
         self.tabs.follow(dock)
         self.docks.append(dock)
         self.addDockWidget(self._sides[name], dock)
+        if self._sides[name] in (_SIDES["left"], _SIDES["right"]):
+            _let_be_low(widget)
+        if widget.parentWidget() is None:
+            dock.setWidget(widget)
 
     def dock(self, name: str) -> QDockWidget:
         """The dock of this name."""
@@ -180,7 +180,7 @@ class DockArea(QMainWindow):
     # Where the docks are
 
     def place(self, window_height: int) -> None:
-        """Put the docks of an area that was just made where they begin.
+        """Put the docks of an area that was just made where they begin; they get their room by ``wake``.
 
         A side column is one group of tabs in a very low window, two in a low one, all stacked in a high one.
         """
@@ -207,10 +207,16 @@ class DockArea(QMainWindow):
                 for dock in group[1:]:
                     self.tabifyDockWidget(group[0], dock)
                 group[0].raise_()
-            if len(groups) == 2:
-                self.resizeDocks([group[0] for group in groups], self._heights(upper), along)
         if sideways:
+            self._columns.append((groups, height < _HIGH_PX))
+
+    def _share_room(self) -> None:
+        """Give the columns of docks that were just placed the room they begin with."""
+        columns, self._columns = self._columns, []
+        for groups, tabbed in columns:
             first = [group[0] for group in groups]
+            if tabbed and len(groups) == 2:
+                self.resizeDocks(first, self._heights(groups[0]), Qt.Orientation.Vertical)
             widths = [round(self.width() * _SIDE_SHARE)] * len(first)
             self.resizeDocks(first, widths, Qt.Orientation.Horizontal)
 
@@ -307,7 +313,8 @@ class DockArea(QMainWindow):
             dock.hide()
 
     def wake(self) -> None:
-        """Come back to the screen as it was left."""
+        """Come to the screen: as its docks were just placed, or as it was left."""
+        self._share_room()
         for dock in self._afloat:
             dock.show()
         self._afloat = []

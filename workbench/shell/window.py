@@ -253,7 +253,7 @@ class MainWindow(QMainWindow):
                 yield
         panels = [self._made[name] for name in workspace.panels]
         docks = [dock for each in panels for dock in each.docks()]
-        self.arrangements.add(slug, panels[0].center, docks, workspace.lower)
+        yield from self.arrangements.add(slug, panels[0].center, docks, workspace.lower)
         yield
         join(panels)
         self._panels[slug] = panels

@@ -5,7 +5,12 @@ import sys
 from pathlib import Path
 
 import pytest
+from PySide6.QtCore import QAbstractEventDispatcher, QObject, Qt
+from PySide6.QtWidgets import QWidget
+from pytestqt.qtbot import QtBot
+from shiboken6 import delete
 
+from workbench.widgets.plots.library import library
 from workbench.widgets.plots.stepwise import import_stepwise
 
 ROOT = Path(__file__).resolve().parents[3]
@@ -75,3 +80,29 @@ def test_a_package_that_fails_is_not_left_half_there(tmp_path: Path, monkeypatch
     assert "failing_package" not in sys.modules
     with pytest.raises(ImportError):
         list(import_stepwise("no_such_package_at_all"))
+
+
+def test_of_several_plots_each_is_made_in_a_turn_of_its_own_unless_it_is_gone(qtbot: QtBot) -> None:
+    turn, made = [0], []
+    dispatcher = QAbstractEventDispatcher.instance()
+    parent = QWidget()
+    qtbot.addWidget(parent)
+    plots = [QObject(parent) for _each in range(4)]
+
+    def count() -> None:
+        turn[0] += 1
+
+    def make(number: int) -> None:
+        made.append((number, turn[0]))
+        widget = QWidget(parent, Qt.WindowType.Window)
+        widget.show()  # which makes Qt send posted events at once
+
+    dispatcher.awake.connect(count)
+    for number, plot in enumerate(plots):
+        library.queue(plot, lambda n=number: make(n))
+    delete(plots[1])
+    qtbot.waitUntil(lambda: len(made) == 3)
+    qtbot.wait(20)
+    dispatcher.awake.disconnect(count)
+    assert [number for number, _turn in made] == [0, 2, 3]
+    assert len({each for _number, each in made}) == 3

@@ -9,7 +9,9 @@ from pytestqt.qtbot import QtBot
 
 from workbench.algorithms import catalogue
 from workbench.algorithms.entry import Entry
+from workbench.algorithms.scanning.electron_beam import electron_beam
 from workbench.widgets.look.tokens import tokens
+from workbench.widgets.stepping.source_highlighter import SourceHighlighter
 from workbench.widgets.stepping.source_text import SourceText, docstring_rows
 
 ENTRIES = catalogue.entries()[::3]
@@ -122,3 +124,27 @@ def test_a_marked_line_is_marked_where_it_hangs_too(qtbot: QtBot) -> None:
     colours = {picture.pixelColor(2, y).name() for y in range(area.top() + row + 1, area.bottom())}
     assert colours == {tokens().selected.lower()}
     assert picture.pixelColor(2, area.bottom() + row // 2).name() != tokens().selected.lower()
+
+
+def test_every_line_is_coloured_at_most_twice_when_another_text_comes(
+    qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    coloured: list[str] = []
+    colour = SourceHighlighter.highlightBlock
+
+    def counting(self: SourceHighlighter, text: str) -> None:
+        coloured.append(text)
+        colour(self, text)
+
+    monkeypatch.setattr(SourceHighlighter, "highlightBlock", counting)
+    text = SourceText()
+    qtbot.addWidget(text)
+    text.resize(460, 300)
+    with qtbot.waitExposed(text):
+        text.show()
+    source, first = inspect.getsourcelines(electron_beam)
+    text.show_source("".join(source), first)
+    coloured.clear()
+    text.show_source("".join(source), first)
+    assert len(coloured) <= 2 * text.document().blockCount()
+    assert text.verticalScrollBar().value() == 0

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from fractions import Fraction
+from threading import Event, current_thread, main_thread
 
 import numpy as np
 import pytest
@@ -10,10 +11,11 @@ from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
 from workbench.display import vector_beam as beam_module
-from workbench.display.setup import TubeSetup, mm_of
+from workbench.display.setup import TubeSetup, mm_of, raster_tube
 from workbench.display.vector_beam import VectorBeam
 from workbench.widgets.look.comfort import comfort
 from workbench.widgets.look.tokens import DARK, LIGHT, theme
+from workbench.widgets.tube import live_tube
 from workbench.widgets.tube import view as view_module
 from workbench.widgets.tube.view import TubeView
 
@@ -145,6 +147,7 @@ def test_the_vector_tube_slows_down_with_a_long_list(qtbot: QtBot) -> None:
     view.set_setup(TubeSetup(vector_display="atari-dvg"))
     view.set_strokes([(1.0, 1.0, 14.0, 10.0, 0xFFFFFF)], (16, 12))
     view.show()
+    qtbot.waitUntil(lambda: view.has_picture)
     assert view.refresh_hz == pytest.approx(60.0)
     view.set_strokes([(1.0, 1.0, 14.0, 10.0, 0xFFFFFF)] * 80, (16, 12))
     assert view.refresh_hz < 30.0
@@ -173,9 +176,9 @@ def test_what_was_blurred_is_drawn_anew_once_the_text_is_there(
     tube = TubeView("vector")
     qtbot.addWidget(tube)
     tube.resize(300, 240)
-    tube.show()
-    qtbot.waitExposed(tube)
     tube.set_strokes([(2.0, row / 4, 60.0, row / 4, 0xFFFFFF) for row in range(160)], (64, 48))
+    tube.show()
+    qtbot.waitUntil(lambda: tube.has_picture)
     assert tube.driver is not None
     blurred = tube.driver.beam
     assert isinstance(blurred, VectorBeam)
@@ -187,3 +190,78 @@ def test_what_was_blurred_is_drawn_anew_once_the_text_is_there(
     assert isinstance(sharp, VectorBeam)
     assert not sharp.blurred
     qtbot.waitUntil(lambda: not tube._sharpening.isActive())
+
+
+def counted(monkeypatch: pytest.MonkeyPatch) -> list[TubeSetup]:
+    """The setups that tubes are made with from now on, in their order."""
+    made: list[TubeSetup] = []
+
+    def make(image: np.ndarray, size: tuple[int, int], setup: TubeSetup) -> object:
+        made.append(setup)
+        return raster_tube(image, size, setup)
+
+    monkeypatch.setattr(view_module, "raster_tube", make)
+    return made
+
+
+def test_a_tube_is_made_once_when_it_comes_in_sight_whatever_it_was_given_before(
+    qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    made = counted(monkeypatch)
+    view = TubeView("raster")
+    qtbot.addWidget(view)
+    view.resize(300, 260)
+    view.shown.connect(lambda: view.set_setup(TubeSetup("P1")))
+    view.shown.connect(lambda: view.set_image(image()))
+    view.set_setup(TubeSetup("P4"))
+    assert not view.has_picture
+    with qtbot.waitExposed(view):
+        view.show()
+    qtbot.waitUntil(lambda: view.has_picture)
+    assert made == [TubeSetup("P1")]
+    view.hide()
+    view.set_setup(TubeSetup("P31"))
+    assert len(made) == 1
+    view.show()
+    qtbot.waitUntil(lambda: view.has_picture)
+    assert len(made) == 2
+
+
+def test_the_tube_of_a_large_picture_is_made_on_a_thread_and_only_the_last_is_shown(
+    qtbot: QtBot, raster: TubeView, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    made, threads, may_go = [], [], Event()
+
+    def make(image: np.ndarray, size: tuple[int, int], setup: TubeSetup) -> object:
+        threads.append(current_thread())
+        made.append(image)
+        may_go.wait(10.0)
+        return raster_tube(image, size, setup)
+
+    monkeypatch.setattr(view_module, "raster_tube", make)
+    first, second, last = (np.full((330, 330), level, np.uint32) for level in (0xFF, 0xFF00, 0xFFFFFF))
+    before = raster.driver
+    for each in (first, second, last):
+        raster.set_image(each)
+    assert not raster.has_picture
+    assert raster.driver is before
+    assert not raster.running  # the one before stands still
+    may_go.set()
+    qtbot.waitUntil(lambda: raster.has_picture)
+    assert [each is last for each in made] == [False, True]
+    assert main_thread() not in threads
+    assert raster.driver is not before
+    assert light_at(raster, 8, 6) > 0.9
+
+
+def test_a_large_picture_that_cannot_be_made_leaves_the_tube_as_it_was(
+    qtbot: QtBot, raster: TubeView, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    told: list[str] = []
+    monkeypatch.setattr(live_tube, "report", lambda: told.append("said"))
+    monkeypatch.setattr(view_module, "raster_tube", lambda *_arguments: 1 // 0)
+    before = raster.driver
+    raster.set_image(np.zeros((330, 330), np.uint32))
+    qtbot.waitUntil(lambda: raster.has_picture)
+    assert told == ["said"]
+    assert raster.driver is before

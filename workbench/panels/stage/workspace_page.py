@@ -13,7 +13,9 @@ from typing import NamedTuple, Protocol, cast
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu, QWidget
 
+from workbench.algorithms import catalogue
 from workbench.document.subjects import Subject
+from workbench.engine.visits import read
 from workbench.exchange.diagrams import Derivation
 from workbench.exchange.tables import Table
 from workbench.panels.panel import Cell, DockPart, Said
@@ -79,11 +81,14 @@ class PageRow(NamedTuple):
 
 
 def pages_of(rows: Iterable[PageRow], session: Session) -> Generator[None, None, dict[str, Page]]:
-    """The pages of these rows, by slug; each comes in two steps, its module and itself."""
+    """The pages of these rows, by slug; each comes in three steps: its module, itself, the text it steps."""
     pages = {}
     for row in rows:
         import_module(row.maker.partition(":")[0])
         yield
         pages[row.slug] = row.make(session)
         yield
+        for usual in session.choices_of(pages[row.slug].usual)[:1]:
+            read(catalogue.get(usual))
+            yield
     return pages

@@ -4,10 +4,12 @@ What it needs of Python itself comes on a thread; it makes classes of Qt, which 
 two tenths of a second, and so comes piece by piece, one in each turn of the event loop.
 """
 
-from collections.abc import Iterator
+from collections import deque
+from collections.abc import Callable, Iterator
 from importlib import import_module
 
 from PySide6.QtCore import QObject, QTimer, Signal
+from shiboken6 import isValid
 
 from workbench.session.answers import Answers
 from workbench.widgets.plots.stepwise import import_stepwise
@@ -22,6 +24,9 @@ class _Library(QObject):
         super().__init__()
         self._there = False
         self._coming: Answers | None = None
+        self._queue: deque[tuple[QObject, Callable[[], object]]] = deque()
+        self._turn = QTimer(self, interval=0)  # posted events come in one turn where a widget is shown
+        self._turn.timeout.connect(self._make_next)
 
     def ask(self) -> None:
         """Load it, unless it is there or coming."""
@@ -43,6 +48,18 @@ class _Library(QObject):
         self._there = True
         self._coming = None
         QTimer.singleShot(0, self.loaded.emit)
+
+    def queue(self, plot: QObject, make: Callable[[], object]) -> None:
+        """Have a plot make what takes long in a turn of its own, if it is still there by then."""
+        self._queue.append((plot, make))
+        self._turn.start()
+
+    def _make_next(self) -> None:
+        plot, make = self._queue.popleft()
+        if not self._queue:
+            self._turn.stop()
+        if isValid(plot):
+            make()
 
 
 def _load_below_qt() -> bool:

@@ -69,7 +69,7 @@ class Plot(QWidget):
         self.caption.setWordWrap(True)
         self._column.addWidget(self.caption)
         theme_changed.connect(self._take_theme)
-        library.loaded.connect(self._make)
+        library.loaded.connect(self._make_in_turn)
 
     def _begin(self) -> None:
         """Put lines on the new plot."""
@@ -120,14 +120,17 @@ class Plot(QWidget):
         if self._plot is None and self.isVisible():
             library.ask()
 
+    def _make_in_turn(self) -> None:
+        if self._plot is None and self.isVisible():
+            library.queue(self, self._make)
+
     def _make(self) -> None:
         """The plot, unless another dock has come before it meanwhile."""
         if self._plot is not None or not self.isVisible():
             return
         import pyqtgraph
 
-        self._plot = pyqtgraph.PlotWidget()
-        self._plot.setMenuEnabled(False)
+        self._plot = pyqtgraph.PlotWidget(enableMenu=False)
         self._plot.hideButtons()
         self._plot.setMouseEnabled(x=True, y=False)
         self._plot.setFocusPolicy(Qt.FocusPolicy.NoFocus)

@@ -85,9 +85,14 @@ class SourceText(QTextEdit):
         hidden = self._docstring[1:] if folded else range(0)
         self._rows = [row for row in range(len(self._lines)) if row not in hidden]
         self._highlighter.rows = self._rows
-        self.setPlainText("\n".join(self._lines[row] for row in self._rows))
+        cursor = QTextCursor(self.document())
+        cursor.beginEditBlock()  # so that every line is coloured and laid out once
+        cursor.select(QTextCursor.SelectionType.Document)
+        cursor.insertText("\n".join(self._lines[row] for row in self._rows))
         self._most_hang = 0
         self._hang()
+        cursor.endEditBlock()
+        self.moveCursor(QTextCursor.MoveOperation.Start)
         self.setViewportMargins(self._gutter.sizeHint().width(), 0, 0, 0)
         self._repaint()
 

@@ -5,16 +5,20 @@ longer changes. With Calm on, refreshes that would be seen as flicker are averag
 pictures a second shows the beam itself.
 """
 
+from collections.abc import Callable
 from fractions import Fraction
+from functools import partial
 
 from PySide6.QtCore import QElapsedTimer, QPointF, QRectF, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QImage, QPainter, QPaintEvent, QPen, QPixmap, QResizeEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from workbench.display.beam import Beam
-from workbench.display.driver import VISIBLE, TubeDriver, must_average
+from workbench.display.driver import VISIBLE, TubeDriver, driven, must_average
 from workbench.display.exposure import Screen
 from workbench.display.tube import PICOSECOND, Tube
+from workbench.engine.background import report
+from workbench.session.answers import Answers
 from workbench.widgets.look.comfort import comfort
 from workbench.widgets.look.in_sight import InSight
 from workbench.widgets.look.tokens import colour, theme, tokens
@@ -29,7 +33,8 @@ _PLATE_PX = 22
 
 class LiveTube(QWidget):
     """One tube. ``advanced`` comes with each step of its time; ``sight`` tells whether it is seen: one behind
-    other tabs is not.
+    other tabs is not, and is made when it is. One of a large picture is made on a thread; until it is there
+    the one before stands still.
     """
 
     advanced = Signal()
@@ -41,6 +46,12 @@ class LiveTube(QWidget):
         self._paused = False
         self._seconds = Fraction(0)
         self.driver: TubeDriver | None = None
+        self._making: Callable[[], TubeDriver] | None = None  # what is to take its place, as asked for last
+        self._under_way: Callable[[], TubeDriver] | None = None
+        self._coming = QTimer(self, singleShot=True, interval=0)  # its place has its size by then
+        self._coming.timeout.connect(self._rebuild)
+        self._answers = Answers(self)
+        self._answers.arrived.connect(self._take_answer)
         self._screen: Screen | None = None
         self._shown: QImage | None = None
         self._cabinet: QPixmap | None = None
@@ -85,9 +96,24 @@ class LiveTube(QWidget):
         """What stands at the left and at the right below the glass."""
         raise NotImplementedError
 
-    def _made(self, size_px: tuple[int, int]) -> tuple[Tube, Beam]:
-        """The tube with a face of so many pixels, and its beam."""
+    def _maker(self, size_px: tuple[int, int]) -> Callable[[], tuple[Tube, Beam]]:
+        """Makes the tube with a face of so many pixels, and its beam; holds nothing of Qt, for any thread."""
         raise NotImplementedError
+
+    @property
+    def _is_fed(self) -> bool:
+        """Whether there is anything to show."""
+        return True
+
+    @property
+    def _is_large(self) -> bool:
+        """Whether to make it may hold the interface."""
+        return False
+
+    @property
+    def _held_at(self) -> Fraction | None:
+        """The time since the start of a picture at which it stands; None where it runs."""
+        return None
 
     def _paint_over(self, painter: QPainter) -> None:
         """Paint what lies over the light, under the reflection."""
@@ -129,27 +155,33 @@ class LiveTube(QWidget):
     @property
     def has_picture(self) -> bool:
         """Whether it shows a picture, in the size that it has now."""
-        return self._shown is not None and not self._resized.isActive()
+        later = self._coming.isActive() or self._resized.isActive() or self._making is not None
+        return self._shown is not None and not later
+
+    @property
+    def standing(self) -> TubeDriver | None:
+        """The driver, unless another is to take its place."""
+        return self.driver if self._making is None else None
 
     def seconds(self) -> Fraction:
         """Tube time, exact."""
-        return self._seconds if self.driver is None else self.driver.tube.seconds
+        return self._seconds if self.standing is None else self.standing.tube.seconds
 
     def set_seconds(self, seconds: Fraction) -> None:
         """Go to another tube time, as when a saved one is opened; the picture is that of long drawing."""
-        self._seconds = seconds
-        if self.driver is not None:
-            self.driver = None
+        there = self.driver is not None or self._making is not None
+        self.driver, self._seconds = None, seconds
+        if there:
             self._rebuild()
 
     def step(self, seconds: Fraction) -> None:
         """Advance the tube's time by hand and show the beam where it then is, Calm or not."""
-        if self.driver is not None and seconds > 0:
-            self.driver.advance(seconds / PICOSECOND, False)
+        if self.standing is not None and seconds > 0:
+            self.standing.advance(seconds / PICOSECOND, False)
             self._refresh()
 
     def _wake(self) -> None:
-        if self.sight.now and not self._paused and self.driver is not None:
+        if self.sight.now and not self._paused and self.standing is not None:
             if not self._timer.isActive():
                 self._clock.start()
             self._timer.start(_FRAME_MS)
@@ -157,20 +189,20 @@ class LiveTube(QWidget):
             self._timer.stop()
 
     def _tick(self) -> None:
-        if self.driver is None:
+        if self.standing is None:
             return
         elapsed_ns = self._clock.nsecsElapsed()
         self._clock.restart()
         elapsed = min(Fraction(elapsed_ns, 10**9), Fraction(_LONGEST_STEP_S))
-        averaged = self.averaged
-        self.driver.advance(elapsed / Fraction(self._slow) / PICOSECOND, averaged)
+        averaged, driver = self.averaged, self.standing
+        driver.advance(elapsed / Fraction(self._slow) / PICOSECOND, averaged)
         self._refresh()
-        if averaged and self.driver.steady:
+        if averaged and driver.steady:
             self._timer.stop()
             return
         # A long tail changes so slowly that few pictures a second show it as well. Where a phosphor of many
         # terms takes long to add up, half of the time is left to the rest of the window.
-        slower = VISIBLE / max(self.driver.change, VISIBLE / 100.0) if averaged else 1.0
+        slower = VISIBLE / max(driver.change, VISIBLE / 100.0) if averaged else 1.0
         wait = max(_FRAME_MS * max(slower, 1.0), 2 * self._clock.elapsed())
         self._timer.setInterval(int(min(wait, _IDLE_MS)))
 
@@ -193,19 +225,44 @@ class LiveTube(QWidget):
 
     def _rebuild(self) -> None:
         """Make the tube anew for this size, picture and setup, showing what it would show after a while."""
+        self._seconds = self.seconds()
+        self._making = None
+        if self._coming.isActive() or not self.sight.now or not self._is_fed:
+            self.driver = None
+            return
         self._layout()
         if self._glass.width() < 8:
             return
-        size = self._face_px()
-        if self.driver is not None:
-            self._seconds = self.driver.tube.seconds
-        tube, beam = self._made(size)
-        tube.skip(self._seconds / PICOSECOND)
-        self.driver = TubeDriver(tube, beam)
-        self.driver.settle()
-        if not self.averaged:
-            self.driver.hold_at(self._seconds)
-        self._screen = Screen(size, [rgb for gun in tube.guns for _name, rgb in gun.colours])
+        maker = self._maker(self._face_px())
+        make = partial(driven, maker, self._seconds, self._slow, comfort.calm, self._held_at)
+        if not self._is_large:
+            self._take(make())
+            return
+        self._making = make
+        self._wake()
+        if self._under_way is None:
+            self._ask()
+
+    def _ask(self) -> None:
+        self._under_way = self._making
+        if self._making is not None:  # it is still in sight
+            self._answers.ask(partial(_driver_or_none, self._making), "tube")
+
+    def _take_answer(self, answer: tuple[TubeDriver | None]) -> None:
+        """Show what was asked for, unless another is by now."""
+        (driver,), asked, self._under_way = answer, self._under_way, None
+        if self._making is not asked:
+            self._ask()
+            return
+        self._making = None
+        if driver is not None:
+            self._take(driver)
+
+    def _take(self, driver: TubeDriver) -> None:
+        """From now on this is the tube."""
+        self.driver = driver
+        layers = [rgb for gun in driver.tube.guns for _name, rgb in gun.colours]
+        self._screen = Screen(driver.tube.size_px, layers)
         self._cabinet = self._reflection = None
         self._refresh()
         self._wake()
@@ -229,9 +286,9 @@ class LiveTube(QWidget):
     def _come_in_sight(self, seen: bool) -> None:
         """Run again, or rest: a tube that nobody sees costs nothing."""
         if seen:
+            if self.standing is None:
+                self._coming.start()  # once, whatever it is given by those who are told
             self.shown.emit()
-            if self.driver is None:
-                self._rebuild()
         self._wake()
 
     def _to_widget(self, x_mm: float, y_mm: float) -> QPointF:
@@ -269,3 +326,12 @@ class LiveTube(QWidget):
             painter.setBrush(Qt.BrushStyle.NoBrush)
             radius = CORNER * self._case.width()
             painter.drawRoundedRect(self._case.adjusted(1, 1, -1, -1), radius, radius)
+
+
+def _driver_or_none(make: Callable[[], TubeDriver]) -> tuple[TubeDriver | None]:
+    """What is made, None where that fails, which is told where the faults of threads are."""
+    try:
+        return (make(),)
+    except Exception:
+        report()
+        return (None,)

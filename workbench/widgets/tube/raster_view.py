@@ -1,6 +1,8 @@
 """A raster tube whose beam is seen at work: under any mode, held at any clock, with its path."""
 
+from collections.abc import Callable
 from fractions import Fraction
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -46,9 +48,10 @@ class RasterView(TubeView):
         same = (timing, picture_px) == (self.timing, self._picture) and image.shape == self._image.shape
         self._image, self.timing = image, timing
         self._take_size(picture_px)
-        if same and self.driver is not None and isinstance(self.driver.beam, RasterBeam):
-            drive = currents_of_image(image, len(self.driver.tube.guns), self._setup)
-            self.driver.show(self.driver.beam.with_drive(drive))
+        driver = self.standing
+        if same and driver is not None and isinstance(driver.beam, RasterBeam):
+            drive = currents_of_image(image, len(driver.tube.guns), self._setup)
+            driver.show(driver.beam.with_drive(drive))
             self._hold()
         else:
             self._rebuild()
@@ -71,7 +74,9 @@ class RasterView(TubeView):
 
     def _hold(self) -> None:
         """Show the instant at which it is held."""
-        if self._held is not None and self.driver is not None:
+        if self._making is not None:
+            self._rebuild()
+        elif self._held is not None and self.driver is not None:
             self.driver.hold_at(self._held)
             self._refresh()
         self._wake()
@@ -82,12 +87,14 @@ class RasterView(TubeView):
         else:
             self._timer.stop()
 
-    def _made(self, size_px: tuple[int, int]) -> tuple[Tube, Beam]:
-        return raster_tube(self._image, size_px, self._setup, timing=self.timing, picture_px=self._picture)
+    def _maker(self, size_px: tuple[int, int]) -> Callable[[], tuple[Tube, Beam]]:
+        return partial(
+            raster_tube, self._image, size_px, self._setup, timing=self.timing, picture_px=self._picture
+        )
 
-    def _rebuild(self) -> None:
-        super()._rebuild()
-        self._hold()
+    @property
+    def _held_at(self) -> Fraction | None:
+        return self._held
 
     @property
     def beam_is_seen(self) -> bool:

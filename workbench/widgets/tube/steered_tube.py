@@ -1,5 +1,8 @@
 """The face of a tube steered by its voltages: what its inputs draw, and a spot that can be dragged."""
 
+from collections.abc import Callable
+from functools import partial
+
 from PySide6.QtCore import QPointF, Qt, Signal
 from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPen
 from PySide6.QtWidgets import QWidget
@@ -63,9 +66,9 @@ class SteeredTube(LiveTube):
         told = _("{name}, 10 % in {time}").format(name=self._gun.phosphor, time=glow)
         return _("10 mm a square"), told + (_(" (uncertain)") if phosphor.uncertain else "")
 
-    def _made(self, size_px: tuple[int, int]) -> tuple[Tube, Beam]:
-        """The tube of the gun, and its beam."""
-        return steered_tube(self._gun, size_px)
+    def _maker(self, size_px: tuple[int, int]) -> Callable[[], tuple[Tube, Beam]]:
+        """Of the tube of the gun, and its beam."""
+        return partial(steered_tube, self._gun, size_px)
 
     def show_gun(self, gun: Gun, spot: Place | None) -> None:
         """Draw what the inputs of ``gun`` make; ``spot`` is where its beam is, None where it is caught."""

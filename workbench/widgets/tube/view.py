@@ -1,5 +1,7 @@
 """A frame buffer on a raster tube, or a display list on a vector tube, with a probe for one pixel."""
 
+from collections.abc import Callable
+from functools import partial
 from typing import Literal
 
 import numpy as np
@@ -16,11 +18,11 @@ from workbench.display.setup import (
     DeviceStrokes,
     TubeSetup,
     currents_of_image,
+    drawing_tube,
     face_mm,
     mm_of,
     raster_tube,
     vector_beam,
-    vector_tube,
 )
 from workbench.display.tube import Tube
 from workbench.display.vector_beam import VectorBeam
@@ -36,6 +38,7 @@ Kind = Literal["raster", "vector"]
 _WIDEST_COLOUR_PX = 380  # three guns with eight terms each: the state is six times as large
 _BEAM_SEEN_FROM = 300.0
 _SHARPER_MS = 500
+_LARGE_PX, _MANY_STROKES = 100_000, 500
 
 
 class TubeView(LiveTube):
@@ -50,6 +53,7 @@ class TubeView(LiveTube):
         self._image: NDArray[np.uint32] = np.zeros((48, 64), dtype=np.uint32)
         self._strokes: DeviceStrokes = ()
         self._picture = (64, 48)
+        self._fed = False
         self._probe: tuple[int, int] | None = None
         self._sharpening = QTimer(self, interval=_SHARPER_MS)
         self._sharpening.timeout.connect(self._sharpen)
@@ -82,12 +86,19 @@ class TubeView(LiveTube):
         name = _("RASTER") if self.scans else _("VECTOR")
         return name, f"{self._setup.phosphor}   {self.refresh_hz:.4g} Hz"
 
-    def _made(self, size_px: tuple[int, int]) -> tuple[Tube, Beam]:
-        """A tube for the picture, and the beam that draws it."""
+    @property
+    def _is_fed(self) -> bool:
+        return self._fed
+
+    @property
+    def _is_large(self) -> bool:
+        return self._image.size > _LARGE_PX if self.scans else len(self._strokes) > _MANY_STROKES
+
+    def _maker(self, size_px: tuple[int, int]) -> Callable[[], tuple[Tube, Beam]]:
+        """Of a tube for the picture, and the beam that draws it."""
         if self.scans:
-            return raster_tube(self._image, size_px, self._setup)
-        tube = vector_tube(self._picture, size_px, self._setup)
-        return tube, vector_beam(tube, self._strokes, self._picture, self._setup)
+            return partial(raster_tube, self._image, size_px, self._setup)
+        return partial(drawing_tube, self._strokes, self._picture, size_px, self._setup)
 
     def _sharpen(self) -> None:
         """Draw anew what was blurred, once the compiled text is there."""
@@ -104,9 +115,10 @@ class TubeView(LiveTube):
         self._take_size((image.shape[1], image.shape[0]))
         if not self.scans:
             return
-        if same_size and self.driver is not None and isinstance(self.driver.beam, RasterBeam):
-            drive = currents_of_image(image, len(self.driver.tube.guns), self._setup)
-            self.driver.show(self.driver.beam.with_drive(drive))
+        driver = self.standing
+        if same_size and driver is not None and isinstance(driver.beam, RasterBeam):
+            drive = currents_of_image(image, len(driver.tube.guns), self._setup)
+            driver.show(driver.beam.with_drive(drive))
             self._wake()
         else:
             self._rebuild()
@@ -119,15 +131,16 @@ class TubeView(LiveTube):
         if self.scans:
             return
         self._sharpening.start()
-        if same_size and self.driver is not None:
-            self.driver.show(vector_beam(self.driver.tube, self._strokes, picture_px, self._setup))
+        driver = self.standing
+        if same_size and driver is not None:
+            driver.show(vector_beam(driver.tube, self._strokes, picture_px, self._setup))
             self._wake()
         else:
             self._rebuild()
 
     def _take_size(self, picture_px: tuple[int, int]) -> None:
         """A picture of so many pixels comes; the probe stays on it."""
-        self._picture = picture_px
+        self._picture, self._fed = picture_px, True
         self._probe = self._probe and nearest_pixel(*self._probe, picture_px)
 
     def set_setup(self, setup: TubeSetup) -> None:
