@@ -1,5 +1,7 @@
 """What the eye sees: the picture on the view plane, with horizon and vanishing points to take hold of."""
 
+import math
+
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QPainter, QPen, QPolygonF
@@ -28,12 +30,12 @@ def horizon(matrix: Array) -> tuple[float, float, float] | None:
 
     ``matrix``: (4, 4), from the world. None: the line is at infinity, or the directions x and z look alike.
     """
-    x_and_z = matrix[[0, 1, 3]][:, [0, 2]]
-    a, b, c = np.cross(*x_and_z.T)
-    length = np.hypot(a, b)
+    (x0, x1), (y0, y1), (w0, w1) = matrix[[0, 1, 3]][:, [0, 2]].tolist()
+    a, b, c = y0 * w1 - w0 * y1, w0 * x1 - x0 * w1, x0 * y1 - y0 * x1  # their cross product
+    length = math.hypot(a, b)
     if not length > 1e-12 * abs(c):
         return None
-    return float(a / length), float(b / length), float(c / length)
+    return a / length, b / length, c / length
 
 
 class EyeView(SceneView):
@@ -104,17 +106,18 @@ class EyeView(SceneView):
     def paint_over(self, painter: QPainter) -> None:
         """Vanishing points, what runs together there, and the vertex that is projected."""
         corners, labels = self._corners_of_chosen(), Labels(painter, self)
-        for axis, point in self.vanishing():
+        vanishing = self.vanishing()
+        places = self.on_screen(np.array([point for _axis, point in vanishing]).reshape(-1, 2))
+        for (axis, (x, y)), at in zip(vanishing, places, strict=True):
             ink = colour(tokens().data[INKS[axis]])
-            (at,) = self.on_screen(np.array([point]))
             outermost = self._outermost(corners, at)
-            pen = QPen(ink, 1.2, Qt.PenStyle.DotLine)
+            pen = QPen(ink, 1, Qt.PenStyle.DotLine)  # Qt paints dots of another width much more slowly
             lines(painter, outermost, np.broadcast_to(at, outermost.shape), pen)
             painter.setPen(QPen(ink, 1))
             painter.setBrush(ink)
-            self._marker(painter, axis, QPointF(*np.clip(at, -1e5, 1e5).tolist()))
-            if self.rect().contains(QPointF(*np.clip(at, -1e5, 1e5)).toPoint()):
-                x, y = point
+            mark = QPointF(*at.clip(-1e5, 1e5).tolist())
+            self._marker(painter, axis, mark)
+            if self.rect().contains(mark.toPoint()):
                 text = f"VP{AXES[axis]} ({short(x)}, {short(y)})"
                 labels.put(at, text, tokens().data[INKS[axis]])
             painter.setBrush(Qt.BrushStyle.NoBrush)
