@@ -1,7 +1,6 @@
 """The cursor of a run: recorded behind the interface, stepped, played, jumped with, asked first."""
 
 import gc
-import time
 import weakref
 from collections.abc import Callable, Iterator
 from typing import Any
@@ -16,11 +15,9 @@ from workbench.algorithms import catalogue
 from workbench.algorithms.entry import Entry, View
 from workbench.document.samples.examples import example_document
 from workbench.document.subjects import Subject
-from workbench.engine import compiled, counts
 from workbench.engine.observation import Steps
 from workbench.engine.recorder import record
 from workbench.rendering.mapping import Call
-from workbench.session import recorded_run
 from workbench.session.run import Run
 from workbench.session.session import Session
 
@@ -388,33 +385,3 @@ def test_a_run_that_nobody_holds_records_no_further(qtbot: QtBot) -> None:
     gc.collect()
     assert gone() is None
     assert recorder.join(30)
-
-
-def test_a_run_that_was_left_keeps_nothing_of_what_it_recorded(make: Callable[..., Run]) -> None:
-    run = make(BRESENHAM, (0, 0, 10**6, 10**5), limit=3000)
-    assert run.in_stretches
-    gone = weakref.ref(run.recording)
-    run.clear()
-    gc.collect()
-    assert gone() is None
-
-
-def test_a_run_that_was_left_is_counted_no_further(
-    make: Callable[..., Run], monkeypatch: pytest.MonkeyPatch, qtbot: QtBot
-) -> None:
-    stops: list[compiled.Stop] = []
-
-    def never_ends(_entry: Entry, *_arguments: Any, stop: compiled.Stop, compiling: bool) -> int:
-        stops.append(stop)
-        while not stop.is_set:
-            time.sleep(0.001)
-        raise compiled.Stopped
-
-    monkeypatch.setattr(counts, "step_total", never_ends)
-    monkeypatch.setattr(recorded_run, "_counting_is_ready", lambda _entry: True)
-    run = make(BRESENHAM, (0, 0, 10**6, 10**5), limit=3000)
-    qtbot.waitUntil(lambda: bool(stops))
-    run.follow(Subject(ids=("figure",)), [Call(BRESENHAM, LINE)], SIZE)
-    assert stops[0].is_set
-    finish(qtbot, run)
-    assert run.total_steps == 10

@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 )
 from pytestqt.qtbot import QtBot
 
-from workbench.document.samples.examples import example, example_document, examples
+from workbench.document.samples.examples import example_document
 from workbench.panels.animate.panel import AnimatePanel
 from workbench.panels.shared.tube_dock import TubeDock
 from workbench.session.session import Session
@@ -390,26 +390,3 @@ def test_docks_have_their_share_of_the_width_and_nothing_in_them_is_cut_off(
                 if place.isVisible() and place.horizontalScrollBarPolicy() == never:
                     inner = place.widget().width()
                     assert inner <= place.viewport().width(), (slug, dock.windowTitle())
-
-
-@pytest.mark.parametrize("slug", ["animate-letter", "animate-turn", "animate-ball", "shading-lamps"])
-def test_an_example_begins_in_its_frame_with_the_dock_that_tells_of_it(
-    qtbot: QtBot, window: MainWindow, slug: str
-) -> None:
-    chosen = example(slug)
-    window.open_example("animate-pendulum")
-    qtbot.waitUntil(lambda: window.place == "animate", timeout=60_000)
-    window.open_example(slug)
-    qtbot.waitUntil(lambda: window.place == chosen.workspace, timeout=60_000)
-    dock = area(window).dock(chosen.dock)
-    qtbot.waitUntil(lambda: not dock.visibleRegion().isEmpty(), timeout=10_000)
-    assert window.session.frames.number == chosen.frame
-
-
-def test_every_example_names_a_dock_that_its_workspace_has(window: MainWindow) -> None:
-    named = {(each.workspace, each.dock) for each in examples() if each.dock}
-    for slug in {workspace for workspace, _dock in named}:
-        window.go(slug)
-        settle()
-        has = {dock.objectName() for dock in area(window).docks}
-        assert {dock for workspace, dock in named if workspace == slug} <= has

@@ -1,11 +1,11 @@
-"""A dock with nothing to show opens the example of the workspace that it stands in."""
+"""Docks and examples: one with nothing to show opens one, and an example names the dock that tells of it."""
 
 from collections.abc import Iterator
 
 import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QPushButton
+from PySide6.QtWidgets import QApplication, QPushButton
 from pytestqt.qtbot import QtBot
 
 from workbench.algorithms import catalogue
@@ -13,6 +13,7 @@ from workbench.document.samples.examples import Example, blank_sheet, example, e
 from workbench.panels.shared.inspector import InspectorPanel
 from workbench.panels.stage.panel import FigurePanel
 from workbench.session.session import Session
+from workbench.shell.dock_area import DockArea
 from workbench.shell.settings import Settings
 from workbench.shell.start import make_window
 from workbench.shell.window import MainWindow
@@ -37,6 +38,13 @@ def window(qtbot: QtBot) -> Iterator[MainWindow]:
     yield window
     window.close()
     window.deleteLater()
+
+
+def area_of(window: MainWindow) -> DockArea:
+    """The area of the workspace that is shown."""
+    area = window.arrangements.area(window.place)
+    assert area is not None
+    return area
 
 
 @pytest.mark.parametrize("slug", OWN)
@@ -87,3 +95,26 @@ def test_an_example_names_an_entry_that_there_is() -> None:
     named = {each.entry for each in examples() if each.entry}
     assert "octree_of_solid" in named
     assert named <= {entry.slug for entry in catalogue.entries()}
+
+
+@pytest.mark.parametrize("slug", ["animate-letter", "animate-turn", "animate-ball", "shading-lamps"])
+def test_an_example_begins_in_its_frame_with_the_dock_that_tells_of_it(
+    qtbot: QtBot, window: MainWindow, slug: str
+) -> None:
+    chosen = example(slug)
+    window.open_example("animate-pendulum")
+    qtbot.waitUntil(lambda: window.place == "animate", timeout=60_000)
+    window.open_example(slug)
+    qtbot.waitUntil(lambda: window.place == chosen.workspace, timeout=60_000)
+    dock = area_of(window).dock(chosen.dock)
+    qtbot.waitUntil(lambda: not dock.visibleRegion().isEmpty(), timeout=10_000)
+    assert window.session.frames.number == chosen.frame
+
+
+def test_every_example_names_a_dock_that_its_workspace_has(window: MainWindow) -> None:
+    named = {(each.workspace, each.dock) for each in examples() if each.dock}
+    for slug in {workspace for workspace, _dock in named}:
+        window.go(slug)
+        QApplication.processEvents()
+        has = {dock.objectName() for dock in area_of(window).docks}
+        assert {dock for workspace, dock in named if workspace == slug} <= has
