@@ -3,6 +3,7 @@
 from concurrent.futures import ThreadPoolExecutor
 from fractions import Fraction
 from typing import Any
+from unittest.mock import patch
 
 import numpy as np
 import pytest
@@ -10,6 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from workbench.algorithms.visibility import depth_buffer
+from workbench.algorithms.visibility.depth_front_first import depth_buffer_front_first
 from workbench.algorithms.visibility.depth_tiles import parts_in_sight
 from workbench.algorithms.visibility.device_plane import Corner, row_ends
 from workbench.document.samples.examples import example
@@ -73,6 +75,114 @@ def test_in_bands_the_picture_is_that_of_the_text(triangles: list[tuple[Place, .
     compiled.paint(depth_buffer, plain, 0, plain, plain_depth, vertices, faces, colours)
     assert np.array_equal(image, plain)
     assert depth.tobytes() == plain_depth.tobytes()
+
+
+near_corner = st.tuples(st.integers(-9, 9), st.integers(-9, 9), st.sampled_from([-0.125, 0.0, 0.125, 0.25]))
+tetrahedron = st.tuples(
+    st.tuples(st.integers(0, 70), st.integers(0, 60), st.sampled_from([0.25, 0.5])),
+    st.lists(near_corner, min_size=4, max_size=4),
+)
+
+
+def faces_of_tetrahedron(middle: Place, ways: list[Place]) -> list[list[Place]]:
+    """Its faces, counter-clockwise seen from outside; z grows away from the eye."""
+    a, b, c, d = (tuple(np.add(middle, way).tolist()) for way in ways)
+    inside_out = np.linalg.det(np.subtract([b, c, d], a)) < 0
+    return [face[::-1] if inside_out else face for face in ([a, b, c], [a, c, d], [a, d, b], [b, d, c])]
+
+
+def walls_and_chips(seed: int) -> list[list[Place]]:
+    """Walls towards the eye, with gaps between them, and small faces that look away: before them, behind
+    them, through them."""
+    at, each = np.random.default_rng(seed), []
+    for _wall in range(12):
+        (x, y), z = at.integers(0, 70, 2).tolist(), at.uniform(0.3, 0.7)
+        each.append([(x, y, z), (x + 40, y, z), (x, y + 30, z)])
+    for _chip in range(200):
+        middle, ways = at.uniform(0, 70, 2), at.uniform(-6, 6, (3, 2))
+        corners = np.column_stack([np.round((middle + ways) * 16) / 16, at.uniform(0.2, 0.8, 3)])
+        away = np.linalg.det(ways[1:] - ways[0]) < 0
+        each.append([tuple(corner) for corner in (corners if away else corners[::-1]).tolist()])
+    return each
+
+
+@given(
+    triangles_=st.one_of(
+        scene,
+        tall,
+        st.integers(0, 1 << 30).map(walls_and_chips),
+        st.lists(tetrahedron, min_size=1, max_size=12).map(
+            lambda solids: [face for solid in solids for face in faces_of_tetrahedron(*solid)]
+        ),
+    ),
+    step=st.sampled_from([0, 1 / 3, 1 / 4096]),
+)
+@settings(max_examples=80)
+def test_front_faces_first_the_picture_is_that_of_the_text(triangles_: Any, step: float) -> None:
+    """Piercing one another, and as deep as one another."""
+    vertices = np.array(triangles_, np.float64).reshape(-1, 3)
+    vertices[:, :2] *= 1 + step
+    faces, colours = np.arange(len(vertices)).reshape(-1, 3), np.arange(1, len(triangles_) + 1)
+    with patch.object(triangles, "_MANY_TRIANGLES", 0):
+        image, depth = triangles.drawn(vertices, faces, colours, (70, 60))
+    plain, plain_depth = np.zeros((60, 70), np.int64), np.ones((60, 70))
+    compiled.paint(depth_buffer, plain, 0, plain, plain_depth, vertices, faces, colours)
+    assert np.array_equal(image, plain)
+    assert depth.tobytes() == plain_depth.tobytes()
+
+
+def front_first(*corners: list[Place]) -> tuple[set[int], int, set[int]]:
+    """The numbers of the triangles that were drawn, whether depths were equal, the colours seen: 1 and on."""
+    image, depth, ties = np.zeros((40, 40), np.int64), np.ones((40, 40)), np.zeros(1, np.int64)
+    vertices, faces = np.array(corners).reshape(-1, 3), np.arange(3 * len(corners)).reshape(-1, 3)
+    drawn = compiled.collect(
+        depth_buffer_front_first, image, depth, ties, vertices, faces, np.arange(1, len(faces) + 1), 0
+    )
+    compiled.paint(
+        depth_buffer_front_first,
+        image,
+        0,
+        image,
+        depth,
+        ties,
+        vertices,
+        faces,
+        np.arange(1, len(faces) + 1),
+        0,
+    )
+    return set(drawn[:, 0].astype(int).tolist()), int(ties[0]), set(np.unique(image).tolist())
+
+
+WALL = [[(-9.0, -9.0, 0.5), (99.0, -9.0, 0.5), (-9.0, 99.0, 0.5)]]
+
+
+def looking_away(z: float) -> list[Place]:
+    return [(10.0, 10.0, z), (10.0, 16.0, z), (16.0, 10.0, z)]  # type: ignore[list-item]
+
+
+def test_what_looks_away_is_left_out_behind_a_later_face_and_drawn_before_it() -> None:
+    assert front_first(looking_away(0.75), *WALL) == ({1}, 0, {2})
+    assert front_first(looking_away(0.25), *WALL) == ({0, 1}, 0, {1, 2})
+
+
+@pytest.mark.parametrize(("right", "top"), [(16, 40), (40, 8), (16, 8)])
+def test_what_looks_away_is_drawn_where_it_looks_out_from_behind_tiles(right: int, top: int) -> None:
+    """A tile is 16 columns and 8 rows: the wall fills the first of them, and what is behind begins there."""
+    wall: list[list[Place]] = [
+        [(0, 0, 0.5), (right, 0, 0.5), (right, top, 0.5)],
+        [(0, 0, 0.5), (right, top, 0.5), (0, top, 0.5)],
+    ]
+    behind: list[Place] = [(12, 5, 0.75), (12, 11, 0.75), (20, 11, 0.75)]
+    assert front_first(behind, *wall) == ({0, 1, 2}, 0, {0, 1, 2, 3})
+
+
+def test_what_looks_away_and_is_as_deep_as_a_later_face_is_told() -> None:
+    _drawn, ties, seen = front_first(looking_away(0.5), *WALL)
+    assert (ties, seen) == (1, {2})  # in order it would be {1, 2}
+    vertices, faces = np.array([looking_away(0.5), *WALL]).reshape(-1, 3), np.arange(6).reshape(-1, 3)
+    with patch.object(triangles, "_MANY_TRIANGLES", 0):
+        image, _depth = triangles.drawn(vertices, faces, np.array([1, 2]), (40, 40))
+    assert set(np.unique(image).tolist()) == {1, 2}
 
 
 def test_a_triangle_of_a_single_row_is_drawn_in_whichever_band_that_lies() -> None:

@@ -10,7 +10,9 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from workbench.algorithms.visibility.depth_tiles import EXAMPLE, depth_buffer_tiles
+from workbench.algorithms.visibility import depth_front_first, depth_tiles
+from workbench.algorithms.visibility.depth_front_first import depth_buffer_front_first
+from workbench.algorithms.visibility.depth_tiles import depth_buffer_tiles
 from workbench.engine.at_hand import at_hand
 from workbench.engine.compiled import Stop, Stopped, paint, ready_on
 from workbench.language import _
@@ -48,7 +50,7 @@ def depth_buffer_triangles(
         raise ValueError(
             _("size is {width} x {height}; both must be 1 or more").format(width=width, height=height)
         )
-    return drawn(*_checked(vertices, faces, colours), size, stop)
+    return _drawn(*_checked(vertices, faces, colours), size, stop, False)
 
 
 def drawn(
@@ -58,14 +60,38 @@ def drawn(
     size: tuple[int, int],
     stop: Stop | None = None,
 ) -> tuple[NDArray[np.uint32], NDArray[np.float64]]:
-    """The same of triangles that are known to be sound. Raises: Stopped."""
+    """The same of a scene's triangles, which are known to be sound. Raises: Stopped.
+
+    Of many, most are those of solids, counter-clockwise seen from outside.
+    """
+    return _drawn(points, corners, colours, size, stop, len(corners) > _MANY_TRIANGLES)
+
+
+def _drawn(
+    points: NDArray[np.float64],
+    corners: NDArray[np.int64],
+    colours: NDArray[np.int64],
+    size: tuple[int, int],
+    stop: Stop | None,
+    front_first: bool,
+) -> tuple[NDArray[np.uint32], NDArray[np.float64]]:
     width, height = size
     image, depth = np.empty((height, width), np.uint32), np.empty((height, width))
 
     def draw(low_row: int, end_row: int) -> None:
         band, nearest = image[low_row:end_row], depth[low_row:end_row]
-        band.fill(0)  # here, as what was just written is at hand
-        nearest.fill(FARTHEST)
+
+        def clear() -> None:
+            band.fill(0)  # here, as what was just written is at hand
+            nearest.fill(FARTHEST)
+
+        clear()
+        if front_first:
+            ties = np.zeros(1, np.int64)
+            paint(depth_buffer_front_first, band, 0, band, nearest, ties, points, corners, colours, low_row)
+            if not ties[0]:
+                return
+            clear()
         paint(depth_buffer_tiles, band, 0, band, nearest, points, corners, colours, None, 0.0, low_row)
 
     in_bands(height, draw, stop, bands_for(len(corners)))
@@ -74,7 +100,9 @@ def drawn(
 
 def are_drawn_at_once() -> bool:
     """Whether triangles are drawn without compiling anything before."""
-    return ready_on(depth_buffer_tiles, *EXAMPLE)
+    return ready_on(depth_buffer_tiles, *depth_tiles.EXAMPLE) and ready_on(
+        depth_buffer_front_first, *depth_front_first.EXAMPLE
+    )
 
 
 def bands_for(triangles: int) -> int:

@@ -1,4 +1,4 @@
-"""What threads hand over to the interface: they only fill a queue, and a timer of the interface empties it.
+"""What threads hand over to the interface: they only fill a queue, and ring a bell for it to be emptied.
 
 A thread that emits a signal of an object which is being destroyed ends the process. No thread here knows one.
 """
@@ -8,14 +8,11 @@ from functools import partial
 from queue import Empty, SimpleQueue
 from typing import Any
 
-from PySide6.QtCore import QElapsedTimer, QObject, Qt, QTimer, Signal
+from PySide6.QtCore import QObject, Qt, Signal
 
 from workbench.engine.background import Thread
+from workbench.session.bell import bell
 from workbench.session.collecting import collect_here
-
-_LOOK_MS = 1
-_LONG_LOOK_MS = 32
-_PATIENCE = 16  # what has taken this many times as long is looked for as rarely
 
 
 class Answers(QObject):
@@ -29,12 +26,16 @@ class Answers(QObject):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         collect_here()
+        self._bell = bell()
         self._queue: SimpleQueue[tuple[Any, bool]] = SimpleQueue()  # what is said, whether it is the last
-        self.tell: Callable[[Any], None] = partial(_tell, self._queue)
+        self._say = partial(_say, self._queue, self._bell.ring)
+        self.tell: Callable[[Any], None] = partial(self._say, last=False)
         self._awaited = 0
-        self._since = QElapsedTimer()
-        self._timer = QTimer(self, interval=_LOOK_MS, timerType=Qt.TimerType.PreciseTimer)
-        self._timer.timeout.connect(self._look)
+
+    @property
+    def are_awaited(self) -> bool:
+        """Whether a work goes on, or its answer has not been sent yet."""
+        return self._awaited > 0
 
     def ask(
         self,
@@ -48,18 +49,18 @@ class Answers(QObject):
         ``stop`` asks it to end, and is called from another thread. Neither may hold anything of Qt. Where the
         system gives no more threads, this one does it.
         """
-        put = self._queue.put
+        say = self._say
 
         def run() -> None:
             answer = None
             try:
                 answer = work()
             finally:
-                put((answer, True))
+                say(answer, last=True)
 
+        if not self._awaited:
+            self._bell.rung.connect(self._look, Qt.ConnectionType.QueuedConnection)
         self._awaited += 1
-        self._since.start()
-        self._timer.start(_LOOK_MS)
         thread = Thread(run, name, stop, daemon)
         try:
             thread.start()
@@ -72,16 +73,16 @@ class Answers(QObject):
         try:
             answer, last = self._queue.get_nowait()
         except Empty:
-            rare = min(max(_LOOK_MS, self._since.elapsed() // _PATIENCE), _LONG_LOOK_MS)
-            if rare != self._timer.interval():
-                self._timer.setInterval(rare)
             return
         self._awaited -= last
         if not self._awaited:
-            self._timer.stop()
+            self._bell.rung.disconnect(self._look)
+        elif not self._queue.empty():
+            self._bell.ring()
         if answer is not None:
             self.arrived.emit(answer)
 
 
-def _tell(queue: SimpleQueue[tuple[Any, bool]], what: Any) -> None:
-    queue.put((what, False))
+def _say(queue: SimpleQueue[tuple[Any, bool]], ring: Callable[[], None], what: Any, last: bool) -> None:
+    queue.put((what, last))
+    ring()

@@ -16,6 +16,8 @@ from numpy.typing import NDArray
 
 from workbench.algorithms.beside import Beside
 from workbench.algorithms.entry import Entry, Law
+from workbench.algorithms.visibility import depth_front_first
+from workbench.algorithms.visibility.depth_front_first import depth_buffer_front_first
 from workbench.algorithms.visibility.depth_marks import marks
 from workbench.algorithms.visibility.depth_tiles import EXAMPLE, depth_buffer_tiles
 from workbench.algorithms.visibility.device_plane import corners_of, plane, row_ends
@@ -90,6 +92,7 @@ ENTRY = Entry(
     marks=marks,
     beside=(
         Beside(depth_buffer_tiles, EXAMPLE),
+        Beside(depth_buffer_front_first, depth_front_first.EXAMPLE),
         Beside(places_on_device, PLACES_EXAMPLE),
         Beside(face_colours, COLOURS_EXAMPLE),
     ),
@@ -117,6 +120,10 @@ ENTRY = Entry(
         Law(
             "Whole pictures are drawn tile by tile and in bands of rows, each pixel and depth the same.",
             "rendering/test_triangles.py::test_in_bands_the_picture_is_that_of_the_text",
+        ),
+        Law(
+            "Fine meshes are drawn front faces first, each pixel and depth the same.",
+            "rendering/test_triangles.py::test_front_faces_first_the_picture_is_that_of_the_text",
         ),
     ),
     not_laws=(
