@@ -49,6 +49,11 @@ class _Library(QObject):
         self._coming = None
         QTimer.singleShot(0, self.loaded.emit)
 
+    @property
+    def busy(self) -> bool:
+        """Whether it is coming, or a plot waits to be made."""
+        return self._coming is not None or bool(self._queue)
+
     def queue(self, plot: QObject, make: Callable[[], object]) -> None:
         """Have a plot make what takes long in a turn of its own, if it is still there by then."""
         self._queue.append((plot, make))
