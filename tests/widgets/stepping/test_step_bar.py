@@ -1,5 +1,7 @@
 """The step bar keeps room for what it shows."""
 
+from itertools import pairwise
+
 import pytest
 from PySide6.QtWidgets import QWidget
 from pytestqt.qtbot import QtBot
@@ -39,7 +41,7 @@ def test_in_the_narrowest_window_nothing_lies_on_anything_or_is_squeezed(qtbot: 
 
     assert all(each.width() >= each.minimumSizeHint().width() for each in seen())
     places = sorted((each.geometry() for each in seen()), key=lambda place: place.left())
-    assert all(one.right() < other.left() for one, other in zip(places, places[1:], strict=False))
+    assert all(one.right() < other.left() for one, other in pairwise(places))
     few = len(seen())
     bar.setGeometry(0, 0, 960, 44)
     assert len(seen()) == few + 2  # with the buttons that lead to either end
