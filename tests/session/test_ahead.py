@@ -55,6 +55,17 @@ def test_of_a_large_sheet_it_is_made_once_and_elsewhere(qtbot: QtBot) -> None:
     assert ahead.of(sheet, "thread", here, "otherwise") is None
 
 
+def test_many_of_one_name_leave_what_there_is_of_others(qtbot: QtBot) -> None:
+    ahead, sheet = Ahead(), sheet_of(400)
+    ahead.of(sheet, "calls", lambda: "all of them")
+    for place in range(20):  # as a magnifying glass that is moved about
+        ahead.of(sheet, "part", lambda place=place: place, place)
+        qtbot.waitUntil(lambda: not ahead.busy)
+    assert ahead.of(sheet, "calls", here) == "all of them"
+    assert [ahead.of(sheet, "part", here, place) for place in (19, 18, 17)] == [19, 18, 17]
+    assert len(ahead._kept) == 4
+
+
 def test_one_thing_at_a_time_and_of_what_waits_only_the_last(qtbot: QtBot) -> None:
     ahead, sheet = Ahead(), sheet_of(400)
     go_on, made, make = waiting_work()

@@ -144,6 +144,19 @@ def test_each_workspace_comes_back_to_its_place(session: Session, qtbot: QtBot) 
     assert (session.run.position, session.state.step) == (3, 3)
 
 
+def test_what_still_runs_says_nothing_of_the_step_of_what_is_entered(session: Session, qtbot: QtBot) -> None:
+    session.run.go(7)
+    session.visit("fill", Subject())
+    session.update_state(step=2)
+    session.run.go(5)  # as when its recording has come so far
+    assert (session.state.workspace, session.state.step) == ("fill", 2)
+    recorded(session, qtbot)
+    assert (session.run.position, session.state.step) == (2, 2)
+    session.visit("draw", Subject())
+    recorded(session, qtbot)
+    assert session.run.position == 7
+
+
 class Page(QWidget):
     """Tells when it is painted."""
 

@@ -4,23 +4,32 @@ import threading
 from fractions import Fraction
 from types import SimpleNamespace
 
+import numpy as np
+import pytest
 from PySide6.QtWidgets import QMainWindow
 from pytestqt.qtbot import QtBot
 
 from tests.session.test_ahead import sheet_of
+from workbench.display.setup import raster_tube
 from workbench.session.ahead import Ahead
 from workbench.shell.settled import has_settled, when_settled
+from workbench.widgets.plots.library import library
+from workbench.widgets.tube import view as view_module
 from workbench.widgets.tube.view import TubeView
 
 
-def test_it_waits_for_the_picture_of_a_tube_that_is_seen(qtbot: QtBot) -> None:
+def test_it_waits_for_the_picture_of_a_tube_that_is_seen(
+    qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    may_go = threading.Event()
+    monkeypatch.setattr(view_module, "raster_tube", lambda *asked: may_go.wait(20) and raster_tube(*asked))
     window, tube, hidden = QMainWindow(), TubeView("raster"), TubeView("raster")
     qtbot.addWidget(window)
     hidden.setParent(window)
     hidden.hide()
     window.session = SimpleNamespace(ahead=Ahead(window))  # type: ignore[attr-defined]
     window.setCentralWidget(tube)
-    build, tube._rebuild = tube._rebuild, lambda: None  # type: ignore[method-assign]
+    tube.set_image(np.zeros((330, 330), np.uint32))  # so large that it is made on a thread
     window.resize(300, 240)
     window.show()
     qtbot.waitExposed(window)
@@ -30,13 +39,22 @@ def test_it_waits_for_the_picture_of_a_tube_that_is_seen(qtbot: QtBot) -> None:
     when_settled(window, lambda: done.append(tube.seconds()))  # type: ignore[arg-type]
     qtbot.wait(120)
     assert done == []
-    tube._rebuild = build  # type: ignore[method-assign]
-    tube._rebuild()
+    may_go.set()
     qtbot.waitUntil(lambda: len(done) == 1)
     assert has_settled(window)  # type: ignore[arg-type]
     tube.resize(200, 150)  # the picture has another size now
     assert not has_settled(window)  # type: ignore[arg-type]
     qtbot.waitUntil(lambda: has_settled(window))  # type: ignore[arg-type]
+
+
+def test_it_waits_for_the_plots(qtbot: QtBot) -> None:
+    window, made = QMainWindow(), []
+    qtbot.addWidget(window)
+    window.session = SimpleNamespace(ahead=Ahead(window))  # type: ignore[attr-defined]
+    library.queue(window, lambda: made.append(True))
+    assert not has_settled(window)  # type: ignore[arg-type]
+    qtbot.waitUntil(lambda: has_settled(window))  # type: ignore[arg-type]
+    assert made == [True]
 
 
 def test_it_waits_for_what_is_worked_on_of_a_large_sheet(qtbot: QtBot) -> None:

@@ -14,7 +14,7 @@ T = TypeVar("T")
 _Key = tuple[Any, ...]
 
 _FEW_FIGURES, _FEW_POINTS = 300, 2000
-_KEPT = 8
+_KEPT, _KEPT_OF_A_NAME = 12, 3
 
 
 def is_large(sheet: Sheet) -> bool:
@@ -75,8 +75,10 @@ class Ahead(QObject):
     def _take(self, answer: tuple[_Key, Any]) -> None:
         forgotten, self._working, self._forgotten = self._forgotten, None, False
         if not forgotten:
-            self._kept.insert(0, answer)
-            del self._kept[_KEPT:]
+            (_sheet, name, *_beside), _value = answer
+            alike = [each for each in self._kept if each[0][1] == name][_KEPT_OF_A_NAME - 1 :]
+            rest = [each for each in self._kept if not any(each is old for old in alike)]
+            self._kept = [answer, *rest][:_KEPT]
             self.arrived.emit()
         self._next()
 

@@ -117,6 +117,8 @@ class Following(QObject):
     def _moved(self) -> None:
         self._lock()
         lead = self._lead
+        if self._reached is None or self._reached[0] != self._session.state.workspace:
+            return  # what is entered has not its run yet: this is still the one before
         if not self._telling and lead.entry is not None and lead.target is not None:
             self._reached = self._session.state.workspace, lead.target
             self._session.update_state(step=lead.target, detail=lead.detail)

@@ -149,6 +149,7 @@ class Arrangements:
             self._renew(workspace)
         if kept is None or not usable:
             workspace.area.place(self._stack.window().height())
+        workspace.area.tabs.refresh()  # or docks would lose their titles, and be laid out anew, once seen
         workspace.arranged = True
         return usable
 

@@ -15,10 +15,13 @@ _LOOK_MS = 50
 
 
 def has_settled(window: MainWindow) -> bool:
-    """Whether nothing of a large sheet is still worked on, and every tube that is seen shows its picture."""
+    """Whether nothing of a large sheet is still worked on, every plot is made, and every tube that is seen
+    shows its picture.
+    """
+    from workbench.widgets.plots.library import library
     from workbench.widgets.tube.live_tube import LiveTube
 
-    if window.session is not None and window.session.ahead.busy:
+    if library.busy or (window.session is not None and window.session.ahead.busy):
         return False
     return all(tube.has_picture for tube in window.findChildren(LiveTube) if tube.sight.now)
 

@@ -19,6 +19,7 @@ from workbench.panels.display.flicker.measures import verdict
 from workbench.panels.display.flicker.page import FlickerPage
 from workbench.panels.display.flicker.phosphor_table import PhosphorTable
 from workbench.session.session import Session
+from workbench.widgets.fields.number_field import NumberField
 from workbench.widgets.look.comfort import comfort
 
 
@@ -276,3 +277,18 @@ def test_the_phosphor_on_the_tube_is_in_sight_in_its_table(qtbot: QtBot, name: s
         QApplication.processEvents()
         view = table.view
         assert view.viewport().rect().contains(view.visualRect(view.currentIndex()).center())
+
+
+def test_on_a_low_page_the_map_has_more_room_than_the_tube_beside_it_and_no_field_is_cut(
+    qtbot: QtBot, page: FlickerPage
+) -> None:
+    page.resize(600, 330)
+    qtbot.waitUntil(lambda: page.map.width() > 300)
+    assert page.map.height() >= 100
+    assert page.map.width() > 1.5 * page.tube.width()
+    for field in page.controls.findChildren(NumberField):
+        assert field.width() >= field.minimumSizeHint().width()
+    assert page.measures.verdict.text() in page.measures.toolTip()
+    page.resize(900, 560)
+    qtbot.waitUntil(page.measures.verdict.isVisible)
+    assert abs(page.map.width() - page.tube.width()) < 10

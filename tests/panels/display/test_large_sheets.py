@@ -16,6 +16,7 @@ from workbench.document.samples.examples import blank_sheet
 from workbench.document.samples.figures import line
 from workbench.document.subjects import Subject
 from workbench.panels.display.colour.page import MASK, PENETRATION, ColourPage
+from workbench.panels.display.comparison import page as comparison_page
 from workbench.panels.display.comparison.page import ComparisonPage
 from workbench.panels.display.flicker.page import FlickerPage
 from workbench.panels.display.raster.page import RasterPage
@@ -153,3 +154,23 @@ def test_the_list_that_was_made_elsewhere_is_the_one_that_is_shown(
     page.refresh()
     assert page._run.program is program
     assert painted == []
+
+
+def test_the_magnifying_glass_over_many_figures_is_filled_elsewhere(
+    qtbot: QtBot, session: Session, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    threads: list[threading.Thread] = []
+    magnified = comparison_page.magnified_vector
+
+    def noted(*given: Any) -> Any:
+        threads.append(threading.current_thread())
+        return magnified(*given)
+
+    monkeypatch.setattr(comparison_page, "magnified_vector", noted)
+    session.new(document_of(COUNT))
+    page = ComparisonPage(session)
+    put_on_screen(qtbot, page, 900, 600)
+    session.visit("comparison", ComparisonPage.usual)
+    qtbot.waitUntil(lambda: bool(threads) and not session.ahead.busy, timeout=20_000)
+    assert all(lens.isVisible() for lens in page.lenses)
+    assert threading.main_thread() not in threads

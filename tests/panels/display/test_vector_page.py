@@ -5,9 +5,12 @@ import re
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import QFontMetrics
 from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
+from tests.panels.by_hand import keep_until_the_end
+from tests.panels.display.conftest import put_on_screen
 from workbench.display.flicker import critical_frequency_hz
 from workbench.display.vector_timing import VectorTiming, vector_displays
 from workbench.document import DocumentError
@@ -89,6 +92,49 @@ def test_a_frame_that_is_stepped_shows_what_it_has_drawn(page: VectorPage, sessi
     settle(page)
     assert page.tube._trace is None
     assert page._run.strokes_now is page._run.program.strokes
+
+
+def test_the_instruction_that_is_run_is_in_sight_with_its_mark_whatever_list_comes(
+    page: VectorPage, session: Session, qtbot: QtBot
+) -> None:
+    view, model = page.table.view, page.table.model
+
+    def is_seen(address: int) -> bool:
+        place = view.visualRect(model.index(address, 0))
+        metrics = QFontMetrics(model.data(model.index(address, 0), Qt.ItemDataRole.FontRole))
+        room = metrics.horizontalAdvance(model.data(model.index(address, 0)))
+        return view.viewport().rect().contains(place) and room <= place.width()
+
+    last = model.rowCount() - 1
+    page.go_to(last)
+    settle(page)
+    assert is_seen(last)
+    model.beginResetModel()  # another list of the same length
+    model.endResetModel()
+    view.scrollToTop()
+    page.table.show_address(last)
+    assert is_seen(last)
+    page.resize(900, 440)
+    qtbot.waitUntil(lambda: is_seen(last))
+    session.run.first()
+    settle(page)
+    assert view.verticalScrollBar().value() == 0
+
+
+def test_the_system_says_where_its_list_runs_until_it_was_run(qtbot: QtBot, session: Session) -> None:
+    page = VectorPage(session)
+    ((_name, _title, dock, _side),) = page.docks()
+    keep_until_the_end(qtbot, page)
+    with qtbot.waitExposed(dock):
+        dock.show()
+    assert not page.architecture.isVisible()
+    QTest.mouseClick(page.system.button, Qt.MouseButton.LeftButton)
+    assert session.state.workspace == "vector"
+    put_on_screen(qtbot, page, 900, 560)
+    session.flush()
+    page.refresh()
+    assert page.architecture.isVisible()
+    assert "nothing runs" in page.architecture.accessibleDescription()
 
 
 @pytest.mark.parametrize(("operation", "parts"), [(0, "deflection"), (1, "intensity"), (2, "processor")])

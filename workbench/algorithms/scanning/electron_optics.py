@@ -135,11 +135,12 @@ def bent_by_plates(
 def bent_by_coils(
     sine: float, field_x: float, field_y: float, length: float, crossing: float, least: float
 ) -> Iterator[tuple[float, float, float, float]]:
-    """The arc through the coils, which turn the beam by this sine; nothing of a beam that never leaves."""
+    """The arc through the coils, which turn the beam by this sine; where they turn it back, its way in."""
+    pieces = PIECES
     if sine >= 1.0:
-        return
+        pieces = 0
     field = math.sqrt(field_x * field_x + field_y * field_y)
-    for k in range(PIECES + 1):
+    for k in range(pieces + 1):
         z = PLATES_MM + length * k / PIECES
         x = 0.0
         y = 0.0

@@ -1,6 +1,7 @@
 """The page Tubes: the picture on both tubes, with instruments, in real time or far slower."""
 
 from fractions import Fraction
+from functools import partial
 
 from PySide6.QtGui import QGuiApplication, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
@@ -141,7 +142,9 @@ class TubesPage(PlainPage, QWidget):
                 ).format(rate=self._flash_hz())
             )
         if not self.vector.isHidden():
-            said.extend(dict.fromkeys(sentence for _id, sentence in unshown(self.session.sheet)))
+            sheet = self.session.sheet
+            missing = self.session.ahead.of(sheet, "unshown", partial(unshown, sheet)) or ()
+            said.extend(dict.fromkeys(sentence for _id, sentence in missing))
             if self.vector.refresh_hz < 0.999 * state.refresh_hz:
                 said.append(
                     _(

@@ -14,6 +14,8 @@ from shiboken6 import isValid
 from workbench.session.answers import Answers
 from workbench.widgets.plots.stepwise import import_stepwise
 
+_APART_MS = 16  # posted events would come in one turn where a widget is shown
+
 
 class _Library(QObject):
     """``loaded`` comes in a turn of its own after each time it was asked for."""
@@ -25,7 +27,7 @@ class _Library(QObject):
         self._there = False
         self._coming: Answers | None = None
         self._queue: deque[tuple[QObject, Callable[[], object]]] = deque()
-        self._turn = QTimer(self, interval=0)  # posted events come in one turn where a widget is shown
+        self._turn = QTimer(self, interval=_APART_MS)
         self._turn.timeout.connect(self._make_next)
 
     def ask(self) -> None:
@@ -48,6 +50,11 @@ class _Library(QObject):
         self._there = True
         self._coming = None
         QTimer.singleShot(0, self.loaded.emit)
+
+    @property
+    def busy(self) -> bool:
+        """Whether it is coming, or a plot waits to be made."""
+        return self._coming is not None or bool(self._queue)
 
     def queue(self, plot: QObject, make: Callable[[], object]) -> None:
         """Have a plot make what takes long in a turn of its own, if it is still there by then."""

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QAction, QActionGroup, QFontMetrics, QKeyEvent
+from PySide6.QtGui import QAction, QActionGroup, QFontMetrics, QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
 
 from workbench.language import _
@@ -15,7 +15,7 @@ from workbench.widgets.look.type_faces import code_font
 from workbench.widgets.stepping.sentence_view import SentenceView
 from workbench.widgets.stepping.step_slider import StepSlider
 
-HEIGHT = 44
+HEIGHT, _NARROW_PX = 44, 700
 _DIGITS = 6  # for which there is room in any case
 _FRAME = 20  # around the digits
 
@@ -134,8 +134,10 @@ class StepBar(QWidget):
         row = QHBoxLayout(self)
         row.setContentsMargins(8, 0, 8, 0)
         row.setSpacing(2)
-        for action in (self.first, self.back, self.play, self.forward, self.last):
-            row.addWidget(self._button(action))
+        moving = [self._button(each) for each in (self.first, self.back, self.play, self.forward, self.last)]
+        for button in moving:
+            row.addWidget(button)
+        self._to_the_ends = moving[0], moving[-1]
         row.addSpacing(8)
         row.addWidget(self.slider, 1)
         row.addSpacing(8)
@@ -152,6 +154,12 @@ class StepBar(QWidget):
         self.after_wrong = [self._button(action, words=True) for action in (self.try_again, self.show_answer)]
         for button in self.after_wrong:
             row.addWidget(button)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """In a very narrow window the ends are reached by the slider, and by their keys."""
+        super().resizeEvent(event)
+        for button in self._to_the_ends:
+            button.setVisible(event.size().width() >= _NARROW_PX)
 
     @property
     def commands(self) -> dict[str, QAction]:

@@ -175,9 +175,12 @@ class HandTable(QWidget):
         self._take_run()
 
     def _take_run(self) -> None:
+        stood = self.model.current
         self.model.reset()
         self.state.set_empty(self._run.entry is None)
         self.refresh()
+        if stood and not self.model.current:
+            self.view.scrollToTop()
 
     def _grow(self) -> None:
         """Take in new rows, of a long table now and then: it is slow to grow."""
@@ -191,6 +194,8 @@ class HandTable(QWidget):
         self.model.update()
         if self.model.current != before:
             self._show_current()
+            if not self.model.current:
+                self.view.scrollToTop()
             if self.model.rowCount() > rows:
                 self._placed.start()  # a table that has just grown can be scrolled that far only later
 

@@ -8,7 +8,10 @@ from workbench.session.going_first import go_first
 
 _SAMPLED = 12
 PADDING_PX = 20
-_SLACK_PX = 12
+ROOM_FOR = Qt.ItemDataRole.UserRole
+"""Of a heading: the longest that stands below it, where the first rows do not tell."""
+
+_SLACK_PX, _CLOSER_PX = 12, 10
 DECORATION_PX = 24
 
 
@@ -57,10 +60,14 @@ class FittedColumns(QObject):
             self.fit()
 
     def fit(self) -> None:
-        """Share the width of the view among the columns."""
+        """Share the width of the view among the columns; where it is too narrow, they stand closer."""
         go_first()
         view, widths = self._view, self._widths()
         self._fitted_rows, self._fitted_columns = view.model().rowCount(), len(widths)
+        missing = sum(widths) - view.viewport().width()
+        if missing > 0:
+            closer = min(-(-missing // len(widths)), _CLOSER_PX)
+            widths = [width - closer for width in widths]
         spare = max(view.viewport().width() - sum(widths), 0)
         for column, width in enumerate(widths):
             share = spare // len(widths) + (column < spare % len(widths))
@@ -80,6 +87,8 @@ class FittedColumns(QObject):
             widest = heading.horizontalAdvance(title)
             if model.headerData(column, across, Qt.ItemDataRole.DecorationRole) is not None:
                 widest += DECORATION_PX
+            if longest := model.headerData(column, across, ROOM_FOR):
+                widest = max(widest, heading.horizontalAdvance(str(longest)))
             for row in sampled:
                 index = model.index(row, column)
                 font = index.data(Qt.ItemDataRole.FontRole)

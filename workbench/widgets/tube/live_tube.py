@@ -154,9 +154,9 @@ class LiveTube(QWidget):
 
     @property
     def has_picture(self) -> bool:
-        """Whether it shows a picture, in the size that it has now."""
+        """Whether it shows what it was given, in the size that it has now."""
         later = self._coming.isActive() or self._resized.isActive() or self._making is not None
-        return self._shown is not None and not later
+        return (self._shown is not None or not self._is_fed) and not later
 
     @property
     def standing(self) -> TubeDriver | None:

@@ -19,11 +19,11 @@ from workbench.widgets.look.tips import tell_choice
 
 # By the name of the argument: label, unit, step, meaning.
 _FIELDS: Mapping[str, tuple[str, str, float, str]] = {
-    "refresh": (_("rate"), "Hz", 5.0, _("Refresh rate of the raster, and the highest of the vector tube")),
-    "hatch": (_("hatch"), "px", 1.0, _("Rows from one hatch of an area to the next; 0 draws outlines only")),
+    "refresh": (_("Refresh"), "Hz", 5.0, _("Refresh rate of the raster, and the highest of the vector tube")),
+    "hatch": (_("Hatch"), "px", 1.0, _("Rows from one hatch of an area to the next; 0 draws outlines only")),
     "x": ("x", "px", 1.0, _("Column under the magnifying glass")),
     "y": ("y", "px", 1.0, _("Row under the magnifying glass, counted from below")),
-    "power": (_("power"), "×", 1.0, _("How many times larger the glass shows it")),
+    "power": (_("Power"), "×", 1.0, _("How many times larger the glass shows it")),
 }
 
 

@@ -297,18 +297,15 @@ class ComparisonPage(PlainPage, QWidget):
             for lens in self.lenses:
                 lens.hide()
             return
-        sheet, subject = self._sheet, self.session.state.subject
+        sheet, subject, setup = self._sheet, self.session.state.subject, self._setup
         place, power = lens_of(sheet, subject), number_of(subject, "power")
-        of_raster, of_vector = self.lenses
         image, strokes = self._drawn(facts)
-        of_raster.show_part(
-            magnified_raster(image, self._setup, place, power, of_raster.size_px),
-            self.raster.position(*place),
-        )
-        of_vector.show_part(
-            magnified_vector(strokes.for_tube(), self._setup, facts.size, place, power, of_vector.size_px),
-            self.vector.position(*place),
-        )
+        sizes = tuple(lens.size_px for lens in self.lenses)
+        make = partial(_magnified, image, strokes, setup, facts.size, place, power, sizes)
+        of = self._measured, self._position(facts), setup, place, power, sizes
+        if (parts := self.session.ahead.of(sheet, "magnified", make, *of)) is not None:
+            for lens, view, part in zip(self.lenses, (self.raster, self.vector), parts, strict=True):
+                lens.show_part(part, view.position(*place))
 
     def _tell(self) -> None:
         """What has to be added to the chosen row, or what cannot be shown."""
@@ -359,3 +356,19 @@ class ComparisonPage(PlainPage, QWidget):
         """Show what happened while it was hidden."""
         super().showEvent(event)
         self.refresh_soon()
+
+
+def _magnified(
+    image: Pixels,
+    strokes: Strokes,
+    setup: TubeSetup,
+    size_px: tuple[int, int],
+    place: tuple[float, float],
+    power: float,
+    sizes: tuple[int, ...],
+) -> tuple[Pixels, Pixels]:
+    """The part of both pictures that is under the glass, as each kind of tube shows it."""
+    return (
+        magnified_raster(image, setup, place, power, sizes[0]),
+        magnified_vector(strokes.for_tube(), setup, size_px, place, power, sizes[1]),
+    )

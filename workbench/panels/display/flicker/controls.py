@@ -3,14 +3,7 @@
 from collections.abc import Mapping
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import (
-    QComboBox,
-    QHBoxLayout,
-    QSizePolicy,
-    QToolButton,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QComboBox, QSizePolicy, QToolButton, QWidget
 
 from workbench.display.phosphor import names
 from workbench.document.fields import Number
@@ -35,6 +28,7 @@ from workbench.rendering.subjects.flicker import (
 from workbench.widgets.fields.choice_box import ChoiceBox
 from workbench.widgets.fields.number_field import NumberField, complaint_label
 from workbench.widgets.look.flash_warning import CalmSwitch
+from workbench.widgets.look.flow_layout import flowing
 from workbench.widgets.look.icons import set_icon
 from workbench.widgets.look.tips import tell_choice
 
@@ -49,34 +43,25 @@ class FlickerControls(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        self._rows = flowing(self, across=8, down=4)
         self.complaint = complaint_label()
-        above, below = QHBoxLayout(), QHBoxLayout()
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(6)
-        for row in (above, below):
-            row.setSpacing(10)
-            column.addLayout(row)
-        column.addWidget(self.complaint)
-        self.phosphor = self._combo(above, _("Phosphor"), _("What the screen is coated with"), 13)
+        self.complaint.setWordWrap(False)  # as wide as it is long, the row flows
+        self.phosphor = self._combo(_("Phosphor"), _("What the screen is coated with"), 13)
         for name in names():
             self.phosphor.addItem(phosphor_title(name), name)
         self.phosphor.activated.connect(lambda _i: self._send(phosphor=self.phosphor.currentData()))
-        self.refresh = self._field(above, _("Refresh"), "Hz", REFRESH_HZ, "refresh_hz", 1.0)
+        self.refresh = self._field(_("Refresh"), "Hz", REFRESH_HZ, "refresh_hz", 1.0)
         self.persistence = self._field(
-            above, _("Persistence"), "\N{MULTIPLICATION SIGN}", PERSISTENCE, "persistence", 0.1
+            _("Persistence"), "\N{MULTIPLICATION SIGN}", PERSISTENCE, "persistence", 0.1
         )
-        self.luminance = self._field(
-            below, _("Luminance"), "cd/m\N{SUPERSCRIPT TWO}", LUMINANCE, "luminance", 10.0
-        )
-        self.steps = self._field(None, "n", "", STEPS, "steps", 1.0, whole=True)
-        self.periods = self._field(None, _("Periods"), "", PERIODS, "periods", 1.0, whole=True)
-        self.figure = self._combo(below, _("Picture"), _("The sheet, or something that moves over it"), 7)
+        self.luminance = self._field(_("Luminance"), "cd/m\N{SUPERSCRIPT TWO}", LUMINANCE, "luminance", 10.0)
+        self.steps = self._field("n", "", STEPS, "steps", 1.0, apart=True)
+        self.periods = self._field(_("Periods"), "", PERIODS, "periods", 1.0, apart=True)
+        self.figure = self._combo(_("Picture"), _("The sheet, or something that moves over it"), 7)
         for kind, title in ((STILL, _("The sheet")), (SPOT, _("Moving spot")), (BAR, _("Moving bar"))):
             self.figure.addItem(title, kind)
         self.figure.activated.connect(lambda _i: self._send(figure=self.figure.currentData()))
-        self.speed = self._field(below, _("Speed"), "px/s", SPEED, "speed", 10.0)
+        self.speed = self._field(_("Speed"), "px/s", SPEED, "speed", 10.0)
         self.moves = QToolButton()
         self.moves.setText(_("Move"))
         self.moves.setCheckable(True)
@@ -84,30 +69,28 @@ class FlickerControls(QWidget):
         self.moves.setToolTip(_("Let the figure move and leave its trail, or hold it"))
         self.moves.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         set_icon(self.moves, "play")
-        below.addWidget(self.moves)
-        below.addStretch(1)
         self.calm = CalmSwitch()
-        above.addStretch(1)
-        above.addWidget(self.calm)
+        for part in (self.moves, self.calm, self.complaint):
+            self._rows.addWidget(part)
 
-    def _combo(self, row: QHBoxLayout, name: str, meaning: str, letters: int) -> QComboBox:
+    def _combo(self, name: str, meaning: str, letters: int) -> QComboBox:
         box = ChoiceBox(letters)
         box.setToolTip(meaning)
         tell_choice(box)
         box.setAccessibleName(name)
-        row.addWidget(box)
+        self._rows.addWidget(box)
         return box
 
     def _field(
         self,
-        row: QHBoxLayout | None,
         label: str,
         unit: str,
         bounds: Number,
         name: str,
         step: float,
-        whole: bool = False,
+        apart: bool = False,
     ) -> NumberField:
+        """A field; ``apart`` it is a whole number that stands elsewhere."""
         meanings = {
             "refresh_hz": _("Pictures per second"),
             "persistence": _("How many times longer the phosphor glows than it does in life"),
@@ -122,16 +105,17 @@ class FlickerControls(QWidget):
             low=bounds.low,
             high=bounds.high,
             step=step,
-            integer=whole,
+            integer=apart,
             meaning=meanings[name],
             complaint=self.complaint,
-            digits=5 if whole else 6,
+            digits=5,
         )
-        kind = int if whole else float
+        kind = int if apart else float
         field.edited.connect(lambda value: self._send(**{name: kind(value)}))
         field.scrubbed.connect(lambda value: self._send(**{name: kind(value)}))
-        if row is not None:
-            row.addWidget(field)
+        if not apart:
+            field.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
+            self._rows.addWidget(field)
         return field
 
     def _send(self, **changes: Argument) -> None:

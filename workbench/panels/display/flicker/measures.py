@@ -63,8 +63,13 @@ class MeasuresView(QWidget):
         self.verdict = QLabel()
         self.verdict.setWordWrap(True)
         self.verdict.setAlignment(Qt.AlignmentFlag.AlignTop)
-        grid.addWidget(scrolled(self.verdict), 4, 0, 1, 3)
+        self._told = scrolled(self.verdict)
+        grid.addWidget(self._told, 4, 0, 1, 3)
         grid.setRowStretch(4, 1)
+
+    def be_low(self, low: bool) -> None:
+        """Leave the verdict to the map, which says it too, and to the tooltip, where there is little room."""
+        self._told.setVisible(not low)
 
     def show_measures(
         self, formula: Flicker, measured: Flicker | None, phosphor: Phosphor, refresh_hz: float, cd_m2: float
@@ -76,6 +81,7 @@ class MeasuresView(QWidget):
                 label.setText(column[row])
         self.table = Table(self.table.columns, list(zip(self.names, *columns, strict=True)), formulas=False)
         self.verdict.setText(f"{verdict(phosphor, refresh_hz, cd_m2)} {doubt(phosphor)}")
+        self.setToolTip(self.verdict.text())
 
 
 def verdict(phosphor: Phosphor, refresh_hz: float, cd_m2: float) -> str:

@@ -7,8 +7,8 @@ import numpy as np
 from msgspec.structs import replace
 from numpy.typing import NDArray
 from PySide6.QtCore import Qt, QTimer, Signal
-from PySide6.QtGui import QAction, QGuiApplication
-from PySide6.QtWidgets import QHBoxLayout, QSplitter, QVBoxLayout, QWidget
+from PySide6.QtGui import QAction, QGuiApplication, QResizeEvent
+from PySide6.QtWidgets import QSplitter, QVBoxLayout, QWidget
 
 from workbench.algorithms.marks import Spot
 from workbench.display.flicker import (
@@ -39,6 +39,7 @@ from workbench.rendering.subjects.flicker import KIND, given, is_of_a_phosphor, 
 from workbench.session.answers import Answers
 from workbench.session.session import Session
 from workbench.widgets.look.flash_warning import FlashWarning
+from workbench.widgets.look.flow_layout import FlowArea
 from workbench.widgets.plots.flicker_map import FlickerMap
 from workbench.widgets.plots.light_plot import LightPlot, Trace
 from workbench.widgets.tables.table_copies import put_on_clipboard
@@ -48,6 +49,8 @@ from workbench.widgets.tube.view import TubeView
 PAGE = "flicker"
 _SAMPLES = 400
 _REST_MS, _MOVE_MS = 150, 33
+_LOW_PX, _SIDE_PX = 420, 12
+_SHARES, _LOW_SHARES, _BESIDE_LOW = [560, 440], [640, 360], [360, 640]
 _NOTHING = Trace(np.zeros(0), np.zeros(0))
 
 
@@ -103,13 +106,13 @@ class FlickerPage(PlainPage, QWidget):
         both.setChildrenCollapsible(False)
         both.addWidget(above)
         both.addWidget(below)
-        both.setSizes([560, 440])
-        head = QHBoxLayout()
-        head.addWidget(self.controls)
+        both.setSizes(_SHARES)
+        self._above, self._both, self._low = above, both, False
+        self.strip = FlowArea(self.controls)
         whole = QVBoxLayout(self)
-        whole.setContentsMargins(12, 8, 12, 8)
+        whole.setContentsMargins(_SIDE_PX, 8, _SIDE_PX, 8)
         whole.setSpacing(6)
-        whole.addLayout(head)
+        whole.addWidget(self.strip)
         whole.addWidget(self.warning)
         whole.addWidget(both, 1)
 
@@ -129,6 +132,17 @@ class FlickerPage(PlainPage, QWidget):
         self.tube.shown.connect(self.refresh)
         self.tube.probed.connect(lambda _x, _y: self._rest.start())
         self.phosphors.chosen.connect(lambda name: self.change({"phosphor": name}))
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """On a low page the map needs the room that the tube cannot fill, and some of that below."""
+        super().resizeEvent(event)
+        self.strip.fit(event.size().width() - 2 * _SIDE_PX, event.size().height())
+        low = event.size().height() < _LOW_PX
+        if low != self._low:
+            self._low = low
+            self._both.setSizes(_LOW_SHARES if low else _SHARES)
+            self._above.setSizes(_BESIDE_LOW if low else [1000, 1000])
+            self.measures.be_low(low)
 
     # What the panel asks of a page
 

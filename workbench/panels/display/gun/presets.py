@@ -31,7 +31,7 @@ def presets() -> tuple[Preset, ...]:
         Preset(
             "caught",
             _("Too much voltage: a plate catches the beam"),
-            _("700 V are more than 2 d² V_a / l² = 640 V; lower V_y and the beam comes out again."),
+            _("From 640 V on a plate catches the beam; turn the 700 V down, and it comes out again."),
             {"x_volts": 0.0, "y_volts": 700.0},
         ),
         Preset(
@@ -87,7 +87,7 @@ def presets() -> tuple[Preset, ...]:
         Preset(
             "dark",
             _("Cut off"),
-            _("At V_g = V_c no electron passes, and the screen is dark."),
+            _("At the cut-off voltage of the grid no electron passes, and the screen is dark."),
             {"grid": -60.0},
         ),
     )

@@ -28,13 +28,13 @@ from workbench.widgets.look.tips import tell_choice
 
 # By the name of the argument: label, unit, step, meaning.
 _FIELDS: Mapping[str, tuple[str, str, float, str]] = {
-    "refresh": (_("rate"), "Hz", 5.0, _("Highest refresh rate of the controller")),
+    "refresh": (_("Refresh"), "Hz", 5.0, _("Highest refresh rate of the controller")),
     "start": ("t_0", "µs", 0.5, _("What each stroke costs before the beam moves")),
     "pace": ("c", "µs", 0.01, _("Time of a stroke for each unit of its length")),
     "jump_pace": ("c_j", "µs", 0.01, _("Time of a dark jump for each unit of its length")),
     "settle": ("t_s", "µs", 0.5, _("Time that the deflection needs to settle after a jump")),
-    "lines": (_("lines"), "", 10.0, _("How many test lines; 0 draws the picture of the sheet")),
-    "length": (_("length"), "px", 1.0, _("How long each test line is")),
+    "lines": (_("Lines"), "", 10.0, _("How many test lines; 0 draws the picture of the sheet")),
+    "length": (_("Length"), "px", 1.0, _("How long each test line is")),
 }
 
 

@@ -15,6 +15,7 @@ from workbench.rendering.display_program import DisplayProgram
 from workbench.widgets.fields.arithmetic import evaluate
 from workbench.widgets.look.tokens import colour, tokens
 from workbench.widgets.look.type_faces import cell_font
+from workbench.widgets.tables.table_columns import ROOM_FOR
 
 Index = QModelIndex | QPersistentModelIndex
 COUNTER, OPERATION, X, Y, INTENSITY, COLOUR, TIME = range(7)
@@ -79,6 +80,8 @@ class ListModel(QAbstractTableModel):
             return None
         if role == Qt.ItemDataRole.DisplayRole:
             return self.columns[section]
+        if role == ROOM_FOR and section == COUNTER:
+            return _marked(self.rowCount() - 1)
         return _RIGHT if role == Qt.ItemDataRole.TextAlignmentRole else None
 
     def flags(self, index: Index) -> Qt.ItemFlag:
@@ -128,7 +131,7 @@ class ListModel(QAbstractTableModel):
         if role in (Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.EditRole):
             value = self.value(row, column)
             if column == COUNTER and row == self._current:
-                return f"\N{BLACK RIGHT-POINTING TRIANGLE} {row}"
+                return _marked(row)
             return "" if value is None else value if isinstance(value, str) else decimal(value)
         now = tokens()
         match role:
@@ -169,3 +172,7 @@ class ListModel(QAbstractTableModel):
             for row in range(self.rowCount())
         ]
         return Table(self.columns, rows, formulas=False)
+
+
+def _marked(address: int) -> str:
+    return f"\N{BLACK RIGHT-POINTING TRIANGLE} {address}"

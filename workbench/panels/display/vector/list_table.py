@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QModelIndex, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QModelIndex, QObject, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QTableView, QToolButton, QVBoxLayout, QWidget
 
@@ -40,6 +40,7 @@ class ListTable(QWidget):
         self.view.horizontalHeader().setFont(code_font(12))
         self.view.setItemDelegate(WholeRows(self.view))
         FittedColumns(self.view)
+        self.view.viewport().installEventFilter(self)
         self.view.clicked.connect(lambda index: self.address_chosen.emit(index.row()))
         self.view.selectionModel().currentRowChanged.connect(self._current_changed)
         self.summary = QLabel()
@@ -100,13 +101,26 @@ class ListTable(QWidget):
 
     def show_address(self, address: int) -> None:
         """Mark the instruction that is run, and bring it in sight; -1 marks none."""
-        if address == self.model.current:
+        if address == self.model.current and address in (-1, self.address):  # another list has none chosen
             return
         self.model.mark(address)
         if address >= 0:
             index = self.model.index(address, max(self.view.currentIndex().column(), 0))
             self._quietly(lambda: self.view.setCurrentIndex(index))
+            self._bring_in_sight()
+        else:
+            self.view.scrollToTop()
+
+    def _bring_in_sight(self) -> None:
+        index = self.model.index(self.model.current, 0)
+        if index.isValid():
             self.view.scrollTo(index)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """The instruction that is run stays in sight when the list becomes lower."""
+        if event.type() == QEvent.Type.Resize:
+            QTimer.singleShot(0, self, self._bring_in_sight)  # once it has that height
+        return False
 
     def _quietly(self, act: Callable[[], object]) -> None:
         chosen = self.view.selectionModel()

@@ -4,7 +4,6 @@ from collections.abc import Sequence
 from dataclasses import replace as replace_setup
 from functools import partial
 
-import numpy as np
 from msgspec.structs import replace
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QAction, QGuiApplication, QKeyEvent, QKeySequence, QResizeEvent, QShowEvent
@@ -21,7 +20,7 @@ from workbench.document.subjects import Subject
 from workbench.exchange.diagrams import Derivation
 from workbench.exchange.tables import Table
 from workbench.language import _, ngettext
-from workbench.panels.display.vector.architecture import Working, architecture, told
+from workbench.panels.display.vector.architecture import architecture, told
 from workbench.panels.display.vector.bar import VectorBar
 from workbench.panels.display.vector.derivation import derivation
 from workbench.panels.display.vector.list_changes import ListChanges
@@ -36,6 +35,7 @@ from workbench.panels.stage.plain_page import PlainPage
 from workbench.rendering.subjects.random_scan import KIND, MOST_LINES, runs_a_list
 from workbench.session.session import Session
 from workbench.widgets.formulas.drawing_view import DrawingView
+from workbench.widgets.look.empty_state import EmptyState as EmptyView
 from workbench.widgets.look.icons import set_icon
 from workbench.widgets.plots.refresh_plot import RefreshPlot
 from workbench.widgets.stepping.step_bar import stepping_key
@@ -73,8 +73,13 @@ class VectorPage(PlainPage, QWidget):
             _("Architecture of a random-scan system"),
             _("Which parts work in this instruction; it is exported with the derivation of this page"),
         )
-        idle = Working(-1, -1, (0.0, 0.0), np.empty((0, 2, 2)), np.empty((0, 2, 2)), (4, 3), np.empty((0, 4)))
-        self.architecture.show_drawing(partial(architecture, idle), told(idle))
+        self.system = EmptyView(
+            self.architecture,
+            _("The display list of this sheet runs through the system on the page Random scan."),
+            _("Go to Random scan"),
+        )
+        self.system.button.setToolTip(_("Run the display list, instruction by instruction"))
+        self.system.set_empty(True)
         self.sums = QLabel()
         self.note = QLabel()
         self._lay_out()
@@ -150,6 +155,7 @@ class VectorPage(PlainPage, QWidget):
             told_of.connect(self.refresh_soon)
         for signal in (session.run.changed, session.run.moved, session.run.grown):
             signal.connect(self.refresh_soon)
+        self.system.wanted.connect(lambda: session.visit(PAGE, self.usual))
         self.table.address_chosen.connect(self.go_to)
         self.table.wanted.connect(self._change)
         self.table.model.edited.connect(self._type)
@@ -168,7 +174,7 @@ class VectorPage(PlainPage, QWidget):
     def docks(self) -> Sequence[DockPart]:
         """The architecture of a random-scan system."""
         right = Qt.DockWidgetArea.RightDockWidgetArea
-        return (("random_scan_architecture", _("Random-scan system"), self.architecture, right),)
+        return (("random_scan_architecture", _("Random-scan system"), self.system, right),)
 
     def commands(self) -> list[QAction]:
         """Its commands, and the changes to the list."""
@@ -235,6 +241,7 @@ class VectorPage(PlainPage, QWidget):
         self._share_height()
         self.plot.show_curve(run.curve, run.budget.lines, MOST_LINES)
         self.architecture.show_drawing(partial(architecture, run.working), told(run.working))
+        self.system.set_empty(False)
 
     def _show_tube(self, run: VectorRun) -> None:
         self.glass.setCurrentIndex(int(run.stores))

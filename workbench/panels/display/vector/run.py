@@ -143,7 +143,8 @@ def _locked(test: bool, ordered: bool) -> str:
 
 
 def _note(session: Session, ordered: bool, program: DisplayProgram) -> str:
-    said = list(dict.fromkeys(sentence for _id, sentence in unshown(session.sheet)))
+    missing = session.ahead.of(session.sheet, "unshown", partial(unshown, session.sheet)) or ()
+    said = list(dict.fromkeys(sentence for _id, sentence in missing))
     if ordered and len(program.strokes) > MOST_ORDERED:
         sentence = _("Of more than {most:,} strokes the order is left as it is.")
         said.append(sentence.format(most=MOST_ORDERED))
