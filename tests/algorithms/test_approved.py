@@ -4,6 +4,7 @@ After a change that is meant, ``pytest tests/algorithms/test_approved.py --appro
 and the diff shows what became of them.
 """
 
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -18,10 +19,17 @@ ENTRIES = catalogue.entries()
 each = pytest.mark.parametrize("entry", ENTRIES, ids=lambda entry: entry.slug)
 
 
+@cache
+def text_told(slug: str) -> str:
+    """What is told of all telling runs of an entry."""
+    entry = catalogue.get(slug)
+    return told(entry, telling_runs(entry))
+
+
 @each
 def test_the_words_are_those_that_were_approved(entry: Entry, pytestconfig: pytest.Config) -> None:
     file = APPROVED / entry.topic / f"{entry.slug}.txt"
-    text = told(entry, telling_runs(entry))
+    text = text_told(entry.slug)
     if pytestconfig.getoption("approve"):
         file.parent.mkdir(parents=True, exist_ok=True)
         file.write_text(text, encoding="utf-8", newline="\n")
@@ -35,7 +43,7 @@ def test_every_view_that_says_something_is_among_them(entry: Entry) -> None:
     unseen = [
         view for view in entry.views if (view.sentence or view.row) and "not is_recorded(" not in view.when
     ]
-    sentences = told(entry, telling_runs(entry)).splitlines()
+    sentences = text_told(entry.slug).splitlines()
     for run in telling_runs(entry):
         for step in steps_of(entry, run):
             unseen = [view for view in unseen if not tells(view, step.view, (words(step.sentence),))]

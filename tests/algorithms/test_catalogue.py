@@ -31,6 +31,11 @@ def test_an_unknown_slug_is_answered_with_the_nearest() -> None:
         catalogue.get("bresenham")
 
 
+def test_what_makes_a_kind_of_curve_is_looked_up_once() -> None:
+    """It is asked for many times at each move of a drag."""
+    assert catalogue.constructing("b_spline", "bezier") is catalogue.constructing("b_spline", "bezier")
+
+
 def test_slugs_are_unique() -> None:
     assert len({entry.slug for entry in ENTRIES}) == len(ENTRIES)
 

@@ -35,6 +35,22 @@ def test_shares_sum_to_one(name: str) -> None:
         assert max(colour) == 1.0
 
 
+@pytest.mark.parametrize("name", phosphor_names())
+def test_a_time_is_the_last_one_above_its_share_and_found_in_few_steps(
+    name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    phosphor, asked, intensity = Phosphor.named(name), [], Phosphor.intensity
+    monkeypatch.setattr(Phosphor, "intensity", lambda one, t: asked.append(t) or intensity(one, t))
+    for share in (0.1, 0.01, 0.001):
+        time = phosphor.time_to(share)
+        assert (
+            intensity(phosphor, math.nextafter(time, 0.0))
+            > share
+            >= intensity(phosphor, math.nextafter(time, 1e9))
+        )
+    assert len(asked) < 3 * 80
+
+
 def test_a_stretched_phosphor_keeps_its_light() -> None:
     slow = Phosphor.named("P31").stretched(10.0)
     assert math.isclose(slow.time_to(0.1), 0.0034, rel_tol=0.02)

@@ -137,15 +137,15 @@ def test_where_the_set_up_cannot_be_written_one_line_says_so(tmp_path: Path) -> 
     assert f"{house / '.venv'} (File exists): copy this folder to where you may write" in done.stderr
 
 
-def test_what_cannot_be_cleared_away_is_named_in_one_line(tmp_path: Path) -> None:
+def test_what_cannot_be_cleared_away_is_named_in_one_line(tmp_path: Path, house: Path) -> None:
     """A package that was left halfway and is no folder."""
-    house = make_house(tmp_path)
-    assert run(house, "setup", "--wheels", str(tmp_path / "wheels")).returncode == 0
-    packages = next((house / ".venv").glob("lib/python*/site-packages"))
+    other = make_house(tmp_path)
+    shutil.copytree(house / ".venv", other / ".venv", symlinks=True)
+    packages = next((other / ".venv").glob("lib/python*/site-packages"))
     shutil.rmtree(packages / "tiny-1.0.dist-info")
     (packages / "tiny-1.0.dist-info").symlink_to(tmp_path / "wheels")
-    next((house / ".venv").glob(".installed-*")).unlink()
-    done = run(house, "setup", "--wheels", str(tmp_path / "wheels"))
+    next((other / ".venv").glob(".installed-*")).unlink()
+    done = run(other, "setup", "--wheels", str(tmp_path / "wheels"))
     assert done.returncode == 1
     assert "Traceback" not in done.stderr
     assert "The set-up stopped at" in done.stderr

@@ -67,9 +67,13 @@ class Hand:
         return seen if seen is not None and seen.window() is top else top
 
     def target(self, top: QWidget) -> QWidget:
-        """A visible part of a window; rare kinds are hit as often as common ones, canvases more often."""
+        """A visible part of a window, chosen as ``among`` chooses."""
+        return self.among(self.parts(top) or [top])
+
+    def among(self, parts: list[QWidget]) -> QWidget:
+        """One of these; rare kinds are hit as often as common ones, canvases more often."""
         kinds: dict[str, list[QWidget]] = {}
-        for widget in self.parts(top) or [top]:
+        for widget in parts:
             kinds.setdefault(type(widget).__name__, []).append(widget)
         canvases = [name for name in OFTEN_HIT if name in kinds]
         if canvases and self.rng.random() < 0.4:

@@ -2,6 +2,7 @@
 
 import difflib
 from collections.abc import Iterable
+from functools import cache
 from importlib import import_module
 
 from workbench.algorithms.entry import Entry
@@ -116,6 +117,7 @@ def clipping(kind: str, first: str = "") -> tuple[str, ...]:
     return _with_first(first, [entry.slug for entry in _ENTRIES if kind in entry.clips])
 
 
+@cache  # asked for many times at each move of a drag
 def constructing(*splines: str) -> tuple[str, ...]:
     """The slugs that make the curve of one of these kinds of spline, in teaching order."""
     return tuple(entry.slug for entry in _ENTRIES if not set(splines).isdisjoint(entry.constructs))

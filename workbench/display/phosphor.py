@@ -71,10 +71,9 @@ class Phosphor:
         low, high = 0.0, max(term.tau_s for term in self.terms)
         while self.intensity(high) > fraction:
             high *= 2.0
-        for _step in range(200):
-            middle = 0.5 * (low + high)
+        while low < (middle := 0.5 * (low + high)) < high:
             low, high = (middle, high) if self.intensity(middle) > fraction else (low, middle)
-        return 0.5 * (low + high)
+        return middle
 
     def stretched(self, factor: float) -> "Phosphor":
         """Every time constant multiplied by ``factor``; the light per hit is unchanged."""

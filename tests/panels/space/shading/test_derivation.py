@@ -7,6 +7,7 @@ import pytest
 
 from workbench.document.samples.examples import example
 from workbench.document.subjects import Subject
+from workbench.engine.warm import compile_use
 from workbench.exchange.diagrams import Sentence
 from workbench.panels.space.shading.derivation import derivation
 from workbench.rendering.emissions import emitted
@@ -25,6 +26,7 @@ def pages_of(shading: str, slug: str, places: tuple[int, ...], **arguments: obje
     subject = Subject("shading", entry=shading, arguments={"columns": 16, **arguments})
     call = call_of(sheet, subject)
     assert call is not None
+    compile_use(call.entry, "collect")  # shadows that Python casts take a minute
     rows = np.array(emitted(call))
     names = tuple(each.name for each in sheet.scene.lights)
     lighting = lighting_of(sheet, subject)
