@@ -4,13 +4,14 @@ from pathlib import Path
 
 import pytest
 from msgspec.structs import replace
-from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QAbstractButton, QComboBox, QSlider
 from pytestqt.qtbot import QtBot
 
 from tests.panels.by_hand import keep_until_the_end
-from tests.panels.display.conftest import put_on_screen, run_whole
+from tests.panels.display.conftest import put_on_screen
+from tests.panels.display.raster.conftest import show_dock
 from tests.panels.display.strips import cut_texts, lies_whole
 from workbench.document.storage.files import read
 from workbench.exchange.diagrams import Drawing
@@ -25,16 +26,6 @@ from workbench.session.session import Session
 
 
 @pytest.fixture
-def page(qtbot: QtBot, session: Session) -> RasterPage:
-    made = RasterPage(session)
-    put_on_screen(qtbot, made, 1000, 640)
-    run_whole(qtbot, session, "raster", made.usual)
-    assert session.run.total_text == "48"
-    made.refresh()
-    return made
-
-
-@pytest.fixture
 def page_in_panel(qtbot: QtBot, session: Session) -> RasterPage:
     """The page in its wing, which is told when another document is opened."""
     panel = DisplayPanel(session)
@@ -44,13 +35,6 @@ def page_in_panel(qtbot: QtBot, session: Session) -> RasterPage:
     assert isinstance(page, RasterPage)
     qtbot.waitUntil(lambda: session.run.done and session.run.total_text == "48", timeout=20000)
     return page
-
-
-def show_dock(qtbot: QtBot, dock) -> None:
-    """A dock of the page, in a window of its own."""
-    dock.resize(360, 700)
-    with qtbot.waitExposed(dock):
-        dock.show()
 
 
 def test_the_page_steps_the_frame_buffer_line_by_line(
@@ -247,64 +231,6 @@ def test_the_sums_are_copied_as_text_and_as_a_table(page: RasterPage, qtbot: QtB
     assert data.html().count("<tr>") == len(lines) + 1
     titles = [title for title, _table in page.tables()]
     assert titles[0] == "Exam sums"
-
-
-def test_the_colour_table_is_edited(page: RasterPage, session: Session, qtbot: QtBot) -> None:
-    show_dock(qtbot, page.buffer)
-    page.buffer.choose_depth(2)
-    session.flush()
-    page.buffer.refresh()
-    assert page.buffer.table == (0, 0x555555, 0xAAAAAA, 0xFFFFFF)
-    assert not page.buffer.add.isEnabled()
-    qtbot.mouseClick(page.buffer.grid, Qt.MouseButton.LeftButton, pos=QPoint(30, 10))
-    assert page.buffer.grid.index == 1
-    page.buffer.colour.selectAll()
-    qtbot.keyClicks(page.buffer.colour, "#FF8800")
-    qtbot.keyClick(page.buffer.colour, Qt.Key.Key_Return)
-    session.flush()
-    assert page.buffer.table[1] == 0xFF8800
-    page.buffer.refresh()
-    page.buffer.colour.selectAll()
-    qtbot.keyClicks(page.buffer.colour, "mud")
-    qtbot.keyClick(page.buffer.colour, Qt.Key.Key_Return)
-    assert "mud" in page.buffer.fault.text()
-    assert page.buffer.table[1] == 0xFF8800
-    page.buffer.remove.click()
-    session.flush()
-    page.buffer.refresh()
-    assert page.buffer.table == (0, 0xAAAAAA, 0xFFFFFF)
-    assert "too short" in page.buffer.fault.text()
-    assert page.buffer.add.isEnabled()
-    page.buffer._load(())
-    session.flush()
-    page.buffer.refresh()
-    assert "empty" in page.buffer.fault.text()
-    page.buffer._load("picture")
-    session.flush()
-    assert 0 in page.buffer.table
-    assert len(page.buffer.table) == 4
-    page.buffer._load(None)
-    session.flush()
-    assert page.buffer.table == (0, 0x555555, 0xAAAAAA, 0xFFFFFF)
-
-
-def test_a_short_table_that_keeps_every_colour_is_no_fault(
-    page: RasterPage, session: Session, qtbot: QtBot
-) -> None:
-    show_dock(qtbot, page.buffer)
-    page.buffer.choose_depth(8)
-    page.buffer._load("picture")
-    session.flush()
-    page.refresh()
-    page.buffer.refresh()
-    assert 1 < len(page.buffer.table) < 256
-    assert page.buffer.loss.text().startswith("Nothing is lost")
-    assert page.buffer.fault.text() == ""
-    page.buffer._take(page.buffer.table[:-1])
-    session.flush()
-    page.refresh()
-    page.buffer.refresh()
-    assert "too short" in page.buffer.fault.text()
 
 
 def test_what_is_lost_is_shown_side_by_side(page: RasterPage, qtbot: QtBot) -> None:
