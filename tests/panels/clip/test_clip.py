@@ -256,6 +256,20 @@ def test_a_concave_polygon_leaves_degenerate_edges_which_are_said(qtbot, session
     assert strokes(panel, "error", "bold") != []
 
 
+def test_nothing_of_the_card_is_shown_only_to_be_hidden(qtbot, session, panel, monkeypatch):
+    """At each move of a drag the card would be laid out twice."""
+    session.open_example("clip-fork")
+    recorded(qtbot, session)
+    corner = session.sheet.figures[0].points_world[0]
+    asked = []
+    for box in (panel.card.algorithm, panel.card.compare):
+        monkeypatch.setattr(box, "setVisible", asked.append)
+    drag(qtbot, panel, (corner.x, corner.y), (corner.x + 2, corner.y + 1), (corner.x + 3, corner.y))
+    assert session.sheet.figures[0].points_world[0] != corner
+    assert len(asked) >= 4
+    assert not any(asked)
+
+
 def test_a_point_is_put_and_its_four_comparisons_are_stepped(qtbot, session, panel):
     panel.choose_tool("point")
     qtbot.mouseClick(panel.canvas, LEFT, pos=at(panel, 20, 14))
