@@ -14,7 +14,6 @@ from tests.panels.display.conftest import put_on_screen, run_whole
 from tests.panels.display.strips import cut_texts, lies_whole
 from workbench.document.storage.files import read
 from workbench.exchange.diagrams import Drawing
-from workbench.panels.display.panel import DisplayPanel
 from workbench.panels.display.raster.page import RasterPage
 from workbench.panels.display.raster.sums import text_of
 from workbench.panels.display.raster.sums_dock import with_levels
@@ -32,18 +31,6 @@ def page(qtbot: QtBot, session: Session) -> RasterPage:
     assert session.run.total_text == "48"
     made.refresh()
     return made
-
-
-@pytest.fixture
-def page_in_panel(qtbot: QtBot, session: Session) -> RasterPage:
-    """The page in its wing, which is told when another document is opened."""
-    panel = DisplayPanel(session)
-    put_on_screen(qtbot, panel, 1000, 640)
-    panel.show_page("raster")
-    page = panel.page_of("raster")
-    assert isinstance(page, RasterPage)
-    qtbot.waitUntil(lambda: session.run.done and session.run.total_text == "48", timeout=20000)
-    return page
 
 
 def show_dock(qtbot: QtBot, dock) -> None:
@@ -73,9 +60,8 @@ def test_the_page_steps_the_frame_buffer_line_by_line(
 
 
 def test_the_run_scans_a_scene_as_soon_as_it_can_be_lit(
-    page_in_panel: RasterPage, session: Session, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+    page: RasterPage, session: Session, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    page = page_in_panel
     light = False
     for module in (backdrop, lighting, raster):
         monkeypatch.setattr(module, "can_be_lit", lambda _sheet: light)
