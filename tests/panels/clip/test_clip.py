@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QStyle, QStyleOptionButton
 from shapely import LineString
 from shapely import box as shapely_box
 
-from tests.panels.by_hand import at, drag, keep_until_the_end, recorded, settle
+from tests.panels.by_hand import at, drag, recorded, settle
 from workbench.algorithms import marks
 from workbench.algorithms.clipping.window_marks import edge_mark
 from workbench.document.edits import add_figure, set_clip, set_clipper
@@ -19,38 +19,17 @@ from workbench.document.subjects import Subject
 from workbench.exchange.run_tables import hand
 from workbench.exchange.writing import format_for, write
 from workbench.exchange.written import formats
-from workbench.panels.clip.panel import ClipPanel
 from workbench.panels.clip.scene import outcomes, tally
 from workbench.panels.shared.why import WhyList
 from workbench.rendering import frame_buffer
 from workbench.rendering.clipping import segments_of
 from workbench.rendering.comparing import figure_pixels
-from workbench.session.session import Session
 from workbench.shell.style_sheet import style_sheet
 from workbench.widgets.fields.option_buttons import OptionButtons
 from workbench.widgets.look.tokens import LIGHT
 from workbench.widgets.stepping.sentence_view import SentenceView
 
 LEFT = Qt.MouseButton.LeftButton
-
-
-@pytest.fixture
-def session(qtbot):
-    made = Session(document=example("clip").document)
-    yield made
-    made.close()
-    made.deleteLater()
-
-
-@pytest.fixture
-def panel(qtbot, session):
-    made = ClipPanel(session)
-    keep_until_the_end(qtbot, made)
-    made.resize(900, 620)
-    made.show()
-    made.canvas.setFocus()
-    settle()
-    return made
 
 
 def window(session):
@@ -254,6 +233,20 @@ def test_a_concave_polygon_leaves_degenerate_edges_which_are_said(qtbot, session
     session.run.last()
     settle()
     assert strokes(panel, "error", "bold") != []
+
+
+def test_nothing_of_the_card_is_shown_only_to_be_hidden(qtbot, session, panel, monkeypatch):
+    """At each move of a drag the card would be laid out twice."""
+    session.open_example("clip-fork")
+    recorded(qtbot, session)
+    corner = session.sheet.figures[0].points_world[0]
+    asked = []
+    for box in (panel.card.algorithm, panel.card.compare):
+        monkeypatch.setattr(box, "setVisible", asked.append)
+    drag(qtbot, panel, (corner.x, corner.y), (corner.x + 2, corner.y + 1), (corner.x + 3, corner.y))
+    assert session.sheet.figures[0].points_world[0] != corner
+    assert len(asked) >= 4
+    assert not any(asked)
 
 
 def test_a_point_is_put_and_its_four_comparisons_are_stepped(qtbot, session, panel):

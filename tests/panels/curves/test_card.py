@@ -26,6 +26,25 @@ def test_what_is_missing_is_said_on_the_card(qtbot):
     assert "There are 2 points, and 4 are needed; add 2." in panel.card.fault.text()
 
 
+@pytest.mark.parametrize(
+    ("spline", "there"), [("b_spline", "count"), ("kochanek_bartels", "sign"), ("bezier_path", "joint")]
+)
+def test_nothing_of_the_card_is_hidden_only_to_be_shown(qtbot, monkeypatch, spline, there):
+    """At each move of a drag the card would be laid out twice."""
+    panel = opened(qtbot, curve_through(*ZIGZAG[:4], spline=spline, beside=("hermite",)))
+    panel.focus.choose((the_curve(panel).points_world[0].id,))
+    settle()
+    card, asked = panel.card, []
+    boxes = card.compare, card.sign, card.joint, card.legend, card.count, card.fault, card.steps
+    for box in (*boxes, *card.shape.values()):
+        monkeypatch.setattr(box, "setVisible", lambda shown, box=box: asked.append((box, shown)))
+    panel.refresh()
+    assert (getattr(card, there), True) in asked
+    assert (card.legend, True) in asked
+    assert not {box for box, shown in asked if shown} & {box for box, shown in asked if not shown}
+    assert not card.compare.isVisible()
+
+
 def test_both_countings_stand_on_the_card(zigzag):
     said = zigzag.card.count.text()
     assert "n + 1 = 5" in said

@@ -16,7 +16,6 @@ from workbench.panels.stage.card import ParameterCard
 from workbench.panels.stage.extent import no_extent
 from workbench.panels.stage.folding_card import fill_choices
 from workbench.panels.stage.tools import FigureTool
-from workbench.session.session import Session
 from workbench.widgets.canvas.drawing import ink_of
 from workbench.widgets.fields.number_field import NumberField
 from workbench.widgets.look.tokens import tokens
@@ -27,11 +26,8 @@ _SIDES = ("xmin", "xmax", "ymin", "ymax")
 class ClipCard(ParameterCard):
     """Shows and edits the clip window, the clippers, and the numbers of what is selected."""
 
+    offers_algorithms = False
     window_wanted = Signal()
-
-    def __init__(self, session: Session, parent: QWidget) -> None:
-        super().__init__(session, parent)
-        self.algorithm.setToolTip(_("The algorithm that draws what is left"))
 
     def more_rows(self) -> list[QWidget]:
         """The window, the clippers, the codes, and the outcome."""
@@ -74,8 +70,6 @@ class ClipCard(ParameterCard):
         super().refresh(tool, figures, summary)
         for field in self._size or ():
             field.hide()
-        self.algorithm.hide()
-        self.compare.hide()
         if not figures and tool is None:
             self.title.setText(_("Clip window"))
         sheet = self._session.sheet

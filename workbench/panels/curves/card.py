@@ -70,6 +70,8 @@ Value = bool | int | float | str | tuple[str, ...]
 class CurveCard(ParameterCard):
     """Shows and edits the selected curve, or with none selected what the pen draws next."""
 
+    offers_comparison = False
+
     def __init__(self, focus: CurveFocus, parent: QWidget) -> None:
         self.focus = focus
         self._pen: PenTool | None = None
@@ -218,15 +220,11 @@ class CurveCard(ParameterCard):
         )
         for widget in first:
             widget.setVisible(model is not None)
-        for widget in (
-            *self.shape.values(),
-            self.sign,
-            self.joint,
-            self.legend,
-            self.count,
-            self.fault,
-            self.steps,
-        ):
+        # What is there is shown below: hidden and shown again, the card would be laid out twice
+        absent: list[QWidget] = [] if model is not None else [*self.shape.values(), self.sign]
+        if curve is None:
+            absent += [self.joint, self.legend, self.count, self.fault, self.steps]
+        for widget in absent:
             widget.setVisible(False)
         flattened = curve is not None and "tolerance" in _stepped(curve, self._session.state.subject.entry)
         self.tolerance.setVisible(flattened or self._freehand is not None)
@@ -239,7 +237,6 @@ class CurveCard(ParameterCard):
         if curve is not None:
             self._show_curve(curve)
         super().refresh(tool, figures, "")
-        self.compare.hide()
         if curve is not None and not curve.name:
             self.title.setText(spline_title(curve.spline))
         elif self._pen is not None and not figures:
@@ -298,8 +295,9 @@ class CurveCard(ParameterCard):
         self.fault.setText(f"\N{WARNING SIGN} {escape(fault)}")
         self.fault.setVisible(bool(fault))
         chosen = [k for k in self.focus.numbers(curve) if not is_handle(curve, k)]
-        if curve.spline == "bezier_path" and chosen:
-            self.joint.setVisible(True)
+        joined = curve.spline == "bezier_path" and bool(chosen)
+        self.joint.setVisible(joined)
+        if joined:
             self.joint.setCurrentIndex(self.joint.findData(curve.points_world[chosen[0]].joint))
 
     # What is set

@@ -97,6 +97,7 @@ class ParameterCard(FoldingCard):
     side_by_side_changed = Signal(bool)
     algorithm_chosen = Signal(str)
     offers_algorithms = True
+    offers_comparison = True
 
     def __init__(self, session: Session, parent: QWidget) -> None:
         super().__init__(parent)
@@ -165,7 +166,7 @@ class ParameterCard(FoldingCard):
         now = figures[0].drawn_with if figures else (tool.algorithm if tool is not None else "")
         offered = common is not None and self.offers_algorithms
         fill_choices(self.algorithm, algorithm_choices(common) if offered and common else [], now)
-        compares = one is not None and self.offers_algorithms
+        compares = one is not None and self.offers_algorithms and self.offers_comparison
         others = [c for c in algorithm_choices(one) if c[0] != one.drawn_with] if compares and one else []
         fill_choices(
             self.compare,

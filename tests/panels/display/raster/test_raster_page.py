@@ -10,12 +10,10 @@ from PySide6.QtWidgets import QAbstractButton, QComboBox, QSlider
 from pytestqt.qtbot import QtBot
 
 from tests.panels.by_hand import keep_until_the_end
-from tests.panels.display.conftest import put_on_screen
 from tests.panels.display.raster.conftest import show_dock
 from tests.panels.display.strips import cut_texts, lies_whole
 from workbench.document.storage.files import read
 from workbench.exchange.diagrams import Drawing
-from workbench.panels.display.panel import DisplayPanel
 from workbench.panels.display.raster.page import RasterPage
 from workbench.panels.display.raster.sums import text_of
 from workbench.panels.display.raster.sums_dock import with_levels
@@ -23,18 +21,6 @@ from workbench.panels.shared import lighting
 from workbench.rendering.scene import backdrop
 from workbench.rendering.subjects import raster
 from workbench.session.session import Session
-
-
-@pytest.fixture
-def page_in_panel(qtbot: QtBot, session: Session) -> RasterPage:
-    """The page in its wing, which is told when another document is opened."""
-    panel = DisplayPanel(session)
-    put_on_screen(qtbot, panel, 1000, 640)
-    panel.show_page("raster")
-    page = panel.page_of("raster")
-    assert isinstance(page, RasterPage)
-    qtbot.waitUntil(lambda: session.run.done and session.run.total_text == "48", timeout=20000)
-    return page
 
 
 def test_the_page_steps_the_frame_buffer_line_by_line(
@@ -57,9 +43,8 @@ def test_the_page_steps_the_frame_buffer_line_by_line(
 
 
 def test_the_run_scans_a_scene_as_soon_as_it_can_be_lit(
-    page_in_panel: RasterPage, session: Session, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+    page: RasterPage, session: Session, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    page = page_in_panel
     light = False
     for module in (backdrop, lighting, raster):
         monkeypatch.setattr(module, "can_be_lit", lambda _sheet: light)
