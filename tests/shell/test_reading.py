@@ -199,6 +199,7 @@ def test_each_structure_has_room_for_two_rows_and_leaves_the_source_its_width(
     slug: str, qtbot: QtBot, window: MainWindow
 ) -> None:
     window.open_example(slug)
+    window.session.flush()
     qtbot.waitUntil(lambda: window.session.run.recording is not None)
     window.menus.actions["read"].trigger()
     parts = inspector(window, window.place)

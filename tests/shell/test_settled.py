@@ -27,7 +27,7 @@ def test_it_waits_for_the_picture_of_a_tube_that_is_seen(
     qtbot.addWidget(window)
     hidden.setParent(window)
     hidden.hide()
-    window.session = SimpleNamespace(ahead=Ahead(window))  # type: ignore[attr-defined]
+    window.session = SimpleNamespace(ahead=Ahead(window), run=SimpleNamespace(done=True))  # type: ignore[attr-defined]
     window.setCentralWidget(tube)
     tube.set_image(np.zeros((330, 330), np.uint32))  # so large that it is made on a thread
     window.resize(300, 240)
@@ -50,7 +50,7 @@ def test_it_waits_for_the_picture_of_a_tube_that_is_seen(
 def test_it_waits_for_the_plots(qtbot: QtBot) -> None:
     window, made = QMainWindow(), []
     qtbot.addWidget(window)
-    window.session = SimpleNamespace(ahead=Ahead(window))  # type: ignore[attr-defined]
+    window.session = SimpleNamespace(ahead=Ahead(window), run=SimpleNamespace(done=True))  # type: ignore[attr-defined]
     library.queue(window, lambda: made.append(True))
     assert not has_settled(window)  # type: ignore[arg-type]
     qtbot.waitUntil(lambda: has_settled(window))  # type: ignore[arg-type]
@@ -60,9 +60,21 @@ def test_it_waits_for_the_plots(qtbot: QtBot) -> None:
 def test_it_waits_for_what_is_worked_on_of_a_large_sheet(qtbot: QtBot) -> None:
     window, ahead, go_on = QMainWindow(), Ahead(), threading.Event()
     qtbot.addWidget(window)
-    window.session = SimpleNamespace(ahead=ahead)  # type: ignore[attr-defined]
+    window.session = SimpleNamespace(ahead=ahead, run=SimpleNamespace(done=True))  # type: ignore[attr-defined]
     assert has_settled(window)  # type: ignore[arg-type]
     ahead.of(sheet_of(400), "event", lambda: go_on.wait(20))
     assert not has_settled(window)  # type: ignore[arg-type]
     go_on.set()
     qtbot.waitUntil(lambda: has_settled(window))  # type: ignore[arg-type]
+
+
+def test_it_waits_until_the_run_is_recorded_and_that_is_shown(qtbot: QtBot) -> None:
+    window, run, done = QMainWindow(), SimpleNamespace(done=False), list[bool]()
+    qtbot.addWidget(window)
+    window.session = SimpleNamespace(ahead=Ahead(window), run=run)  # type: ignore[attr-defined]
+    when_settled(window, lambda: done.append(True))  # type: ignore[arg-type]
+    qtbot.wait(120)
+    run.done = True
+    when_settled(window, lambda: done.append(False))  # type: ignore[arg-type]
+    assert done == []  # not in the same turn
+    qtbot.waitUntil(lambda: len(done) == 2)

@@ -6,13 +6,17 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction, QColor
 from PySide6.QtWidgets import (
+    QAbstractItemView,
     QApplication,
     QComboBox,
     QLineEdit,
+    QListView,
     QMainWindow,
     QPushButton,
     QStyle,
     QStyleOptionComboBox,
+    QTableView,
+    QTreeView,
     QVBoxLayout,
     QWidget,
 )
@@ -215,3 +219,29 @@ def test_an_action_that_can_be_ticked_shows_its_tick_in_a_menu_and_no_icon(qapp:
     assert not action.isIconVisibleInMenu()
     assert not action.icon().isNull()
     assert plain.isIconVisibleInMenu()
+
+
+@THEMES
+@pytest.mark.parametrize("kind", [QTableView, QListView, QTreeView])
+def test_tables_and_lists_show_that_they_have_the_focus(
+    qtbot: QtBot, chosen: Tokens, kind: type[QAbstractItemView]
+) -> None:
+    window = QWidget()
+    qtbot.addWidget(window)
+    window.setStyleSheet(style_sheet(chosen))
+    column = QVBoxLayout(window)
+    view, field = kind(), QLineEdit()
+    column.addWidget(view)
+    column.addWidget(field)
+    with qtbot.waitExposed(window):
+        window.show()
+    window.activateWindow()
+
+    def edge() -> QColor:
+        return view.grab().toImage().pixelColor(0, view.height() // 2)
+
+    view.setFocus(Qt.FocusReason.TabFocusReason)
+    qtbot.waitUntil(view.hasFocus)
+    assert edge() == QColor(chosen.accent)
+    field.setFocus(Qt.FocusReason.TabFocusReason)
+    assert edge() == QColor(chosen.surface)

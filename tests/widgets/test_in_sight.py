@@ -1,5 +1,6 @@
 """A part behind other tabs is not in sight, and costs nothing there."""
 
+import numpy as np
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtWidgets import QApplication, QDockWidget, QMainWindow, QVBoxLayout, QWidget
 
@@ -67,12 +68,12 @@ def test_a_part_outlives_the_dock_that_it_was_in(qtbot) -> None:
 
 def test_a_tube_behind_a_tab_rests(qtbot) -> None:
     tube = TubeView("raster")
+    tube.set_image(np.zeros((12, 16), np.uint32))
     _window, front, behind = docked(qtbot, tube)
     assert not tube.running
     assert tube.driver is None
     behind.raise_()
-    settle()
-    assert tube.driver is not None
+    qtbot.waitUntil(lambda: tube.driver is not None)
     tube.set_slow_motion(1000.0)
     assert tube.running
     front.raise_()

@@ -376,3 +376,17 @@ def test_the_exponent_of_the_grid_s_formula_is_raised(
     sentence.refresh()
     assert ")<sup>γ</sup>" in sentence.text()
     assert "^" not in sentence.text()
+
+
+def test_reset_puts_every_knob_back_and_is_no_step_of_undo(gun_page: GunPage, qtbot: QtBot) -> None:
+    page, session = gun_page, gun_page.session
+    usual = page.setting.gun
+    page.take_preset("lissajous")
+    page.setting.change({"coils": True, "focus": 300.0})
+    session.flush()
+    assert page.setting.gun != usual
+    qtbot.mouseClick(page.bar.reset, Qt.MouseButton.LeftButton)
+    session.flush()
+    assert page.setting.gun == usual
+    assert session.state.tube.slow_motion == 1.0
+    assert not session.undo_stack.canUndo()

@@ -16,7 +16,8 @@ class Model(QAbstractTableModel):
 
     def __init__(self, longest: str = "") -> None:
         super().__init__()
-        self.longest = longest
+        self.longest, self.last = longest, TEXTS[5]
+        self.asked = 0
 
     def rowCount(self, _parent: QModelIndex = QModelIndex()) -> int:  # noqa: B008
         return 60
@@ -25,9 +26,11 @@ class Model(QAbstractTableModel):
         return len(TEXTS)
 
     def data(self, index: QModelIndex, role: int = Qt.ItemDataRole.DisplayRole) -> object:
-        return TEXTS[index.column()] if role == Qt.ItemDataRole.DisplayRole else None
+        texts = (*TEXTS[:5], self.last)
+        return texts[index.column()] if role == Qt.ItemDataRole.DisplayRole else None
 
     def headerData(self, section: int, _way: object, role: int = Qt.ItemDataRole.DisplayRole) -> object:
+        self.asked += role == ROOM_FOR
         if role == ROOM_FOR and section == 1:
             return self.longest
         return "z" if role == Qt.ItemDataRole.DisplayRole else None
@@ -58,6 +61,28 @@ def test_where_there_is_little_room_columns_stand_closer_and_no_text_is_cut(qtbo
     least, room = fitted(qtbot, Model(), 200)
     assert sum(least) > room  # it is scrolled rather than cut
     assert all(width >= need + 8 for width, need in zip(least, needed, strict=True))
+
+
+def test_another_width_measures_nothing_anew_but_another_content_does(qtbot: QtBot) -> None:
+    model = Model()
+    view = QTableView()
+    qtbot.addWidget(view)
+    view.setModel(model)
+    model.setParent(view)
+    columns = FittedColumns(view)
+    view.resize(700, 200)
+    with qtbot.waitExposed(view):
+        view.show()
+    model.asked = 0
+    view.resize(900, 200)
+    qtbot.waitUntil(lambda: sum(map(view.columnWidth, range(len(TEXTS)))) == view.viewport().width())
+    assert model.asked == 0
+    before = view.columnWidth(5)
+    model.last = "58.123456789012345678901234567890"
+    model.dataChanged.emit(model.index(0, 5), model.index(59, 5))
+    view.resize(500, 200)
+    qtbot.waitUntil(lambda: view.columnWidth(5) > before)
+    assert columns._needed is not None
 
 
 @pytest.mark.parametrize("longest", ["▶ 100000", "▶ 12"])

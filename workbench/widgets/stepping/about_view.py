@@ -4,7 +4,6 @@ from collections.abc import Callable, Iterable
 from html import escape
 
 from PySide6.QtCore import QUrl, Signal
-from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QTextBrowser, QVBoxLayout, QWidget
 
 from workbench.algorithms import catalogue
@@ -14,6 +13,7 @@ from workbench.language import _, ngettext
 from workbench.session.run import Run
 from workbench.widgets.fields.number_field import with_subscript
 from workbench.widgets.look.empty_state import EmptyState
+from workbench.widgets.look.in_sight import InSight
 from workbench.widgets.look.tokens import TITLE_PX, theme, tokens
 
 
@@ -42,20 +42,17 @@ class AboutView(QWidget):
         column.setContentsMargins(0, 0, 0, 0)
         column.addWidget(self.state)
         self.setFocusProxy(self.text)
+        self._sight = InSight(self)
+        self._sight.changed.connect(self.refresh)
         run.changed.connect(self.refresh)
         theme.changed.connect(self._tell_again)
         self.refresh()
 
-    def showEvent(self, event: QShowEvent) -> None:
-        """While it was hidden nothing was written."""
-        super().showEvent(event)
-        self.refresh()
-
-    def refresh(self) -> None:
+    def refresh(self, *_seen: bool) -> None:
         """Tell of the run's algorithm, where it is another one."""
         entry = self._run.entry
         self.state.set_empty(entry is None)
-        if entry is None or not self.isVisible():
+        if entry is None or not self._sight.now:  # behind other tabs nothing is written
             return
         told = entry.slug, bool(entry.next_rung) and self._possible(entry.next_rung)
         if told != self._told:

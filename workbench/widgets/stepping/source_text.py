@@ -7,9 +7,11 @@ from collections.abc import Sequence
 from PySide6.QtCore import QMimeData, QPoint, QRect, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
     QColor,
+    QFocusEvent,
     QMouseEvent,
     QPainter,
     QPaintEvent,
+    QPen,
     QPolygon,
     QResizeEvent,
     QTextBlock,
@@ -234,6 +236,16 @@ class SourceText(QTextEdit):
         self.verticalScrollBar().setRange(0, max(round(height) - self.viewport().height(), 0))
         self._make_visible()
 
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        """The ring appears."""
+        super().focusInEvent(event)
+        self.viewport().update()
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        """The ring goes."""
+        super().focusOutEvent(event)
+        self.viewport().update()
+
     def paintEvent(self, event: QPaintEvent) -> None:
         """Mark lines over the whole width, which a selection does not where they hang; say what is folded."""
         painter = QPainter(self.viewport())
@@ -242,6 +254,11 @@ class SourceText(QTextEdit):
                 painter.fillRect(0, top, self.viewport().width(), height, colour(tokens().selected))
         painter.end()
         super().paintEvent(event)
+        if self.hasFocus():
+            painter = QPainter(self.viewport())
+            painter.setPen(QPen(colour(tokens().accent), 2))
+            painter.drawRect(self.viewport().rect().adjusted(1, 1, -1, -1))
+            painter.end()
         folded = self.folded_block
         if not folded.isValid():
             return

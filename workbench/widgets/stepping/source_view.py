@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QComboBox, QHBoxLayout, QVBoxLayout, QWidget
 from workbench.language import _
 from workbench.session.run import Run
 from workbench.widgets.look.empty_state import EmptyState
+from workbench.widgets.look.in_sight import InSight, dock_around
 from workbench.widgets.look.tips import tell_choice
 from workbench.widgets.stepping.source_text import SourceText
 
@@ -18,6 +19,7 @@ _LINES = 20
 
 class SourceView(QWidget):
     """The entry of a run and all that it calls, one at a time; the function of the current line comes up.
+    Behind other tabs it waits until it comes in sight.
 
     ``refused``: a sentence, when the run does not come to the clicked line again.
     """
@@ -29,6 +31,9 @@ class SourceView(QWidget):
         super().__init__(parent)
         self._run = run
         self._shown: Callable[..., Any] | None = None
+        self._late = False
+        self._sight = InSight(self)
+        self._sight.changed.connect(self._come_in_sight)
         self._lines = range(0)
         self.text = SourceText()
         self.chooser = QComboBox()
@@ -64,7 +69,19 @@ class SourceView(QWidget):
         head = 0 if self._head.isHidden() else self._head.sizeHint().height()
         return QSize(super().sizeHint().width(), lines + head)
 
+    @property
+    def _waits(self) -> bool:
+        """Whether it lies behind other tabs; from then on what it shows is late."""
+        self._late = dock_around(self) is not None and not self._sight.now
+        return self._late
+
+    def _come_in_sight(self, seen: bool) -> None:
+        if seen and self._late:
+            self._take_run()
+
     def _take_run(self) -> None:
+        if self._waits:
+            return
         recording = self._run.recording
         self.state.set_empty(recording is None)
         names = list(recording.functions) if recording is not None else []
@@ -91,6 +108,8 @@ class SourceView(QWidget):
 
     def refresh(self) -> None:
         """Mark the lines of the current step."""
+        if self._waits:
+            return
         moment = self._run.moment
         if moment is None or self._shown is None:
             self.text.mark(frozenset(), None)

@@ -20,6 +20,7 @@ Index = QModelIndex | QPersistentModelIndex
 _ROW_PX = 22
 _HEADING_PX = 14
 _LEAST_ROWS = 2
+_RING_PX = 2  # on each side, for the focus
 
 
 class StructureModel(QAbstractTableModel):
@@ -122,7 +123,7 @@ class StructureTable(QWidget):
         view.verticalHeader().setDefaultSectionSize(_ROW_PX)
         heading = view.horizontalHeader().fontMetrics().height() + _HEADING_PX
         bar = view.horizontalScrollBar().sizeHint().height()
-        view.setMinimumHeight(heading + _LEAST_ROWS * _ROW_PX + bar)
+        view.setMinimumHeight(heading + _LEAST_ROWS * _ROW_PX + bar + 2 * _RING_PX)
         FittedColumns(view)
         view.setSelectionBehavior(QTableView.SelectionBehavior.SelectRows)
         view.setSelectionMode(QTableView.SelectionMode.ContiguousSelection)

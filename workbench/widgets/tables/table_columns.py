@@ -11,7 +11,7 @@ PADDING_PX = 20
 ROOM_FOR = Qt.ItemDataRole.UserRole
 """Of a heading: the longest that stands below it, where the first rows do not tell."""
 
-_SLACK_PX, _CLOSER_PX = 12, 10
+_SLACK_PX, _CLOSER_PX = 12, 6
 DECORATION_PX = 24
 
 
@@ -29,6 +29,8 @@ class FittedColumns(QObject):
         view.viewport().installEventFilter(self)
         view.model().modelReset.connect(self._reset)
         view.model().rowsInserted.connect(self._grown)
+        view.model().dataChanged.connect(self._forget)
+        self._needed: list[int] | None = None  # by the columns, until what stands in them changes
         self._fitted_rows = self._fitted_columns = 0
         # Measuring takes as long as laying out the rest of a window: it has a turn of its own.
         self._soon = QTimer(self)
@@ -36,13 +38,19 @@ class FittedColumns(QObject):
         self._soon.timeout.connect(self.fit)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Fit again when the view's width changes."""
-        if event.type() == QEvent.Type.Resize:
-            self.fit()
+        """Share again when the view's width changes, fit when its type does."""
+        if event.type() in (QEvent.Type.FontChange, QEvent.Type.StyleChange):
+            self._forget()
+        elif event.type() == QEvent.Type.Resize:
+            self._share(self._widths() if self._needed is None else self._needed)
         return False
+
+    def _forget(self, *_what: object) -> None:
+        self._needed = None
 
     def _reset(self) -> None:
         """Columns that are there already keep their widths for a moment."""
+        self._forget()
         if self._view.model().columnCount() == self._fitted_columns:
             self._soon.start(0)
         else:
@@ -60,9 +68,14 @@ class FittedColumns(QObject):
             self.fit()
 
     def fit(self) -> None:
+        """Make every column as wide as it needs now."""
+        self._share(self._widths())
+
+    def _share(self, needed: list[int]) -> None:
         """Share the width of the view among the columns; where it is too narrow, they stand closer."""
         go_first()
-        view, widths = self._view, self._widths()
+        self._needed = needed
+        view, widths = self._view, needed
         self._fitted_rows, self._fitted_columns = view.model().rowCount(), len(widths)
         missing = sum(widths) - view.viewport().width()
         if missing > 0:

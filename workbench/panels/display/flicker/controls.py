@@ -54,6 +54,8 @@ class FlickerControls(QWidget):
         self.persistence = self._field(
             _("Persistence"), "\N{MULTIPLICATION SIGN}", PERSISTENCE, "persistence", 0.1
         )
+        self.calm = CalmSwitch()
+        self._rows.addWidget(self.calm)
         self.luminance = self._field(_("Luminance"), "cd/m\N{SUPERSCRIPT TWO}", LUMINANCE, "luminance", 10.0)
         self.steps = self._field("n", "", STEPS, "steps", 1.0, apart=True)
         self.periods = self._field(_("Periods"), "", PERIODS, "periods", 1.0, apart=True)
@@ -69,8 +71,7 @@ class FlickerControls(QWidget):
         self.moves.setToolTip(_("Let the figure move and leave its trail, or hold it"))
         self.moves.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         set_icon(self.moves, "play")
-        self.calm = CalmSwitch()
-        for part in (self.moves, self.calm, self.complaint):
+        for part in (self.moves, self.complaint):
             self._rows.addWidget(part)
 
     def _combo(self, name: str, meaning: str, letters: int) -> QComboBox:

@@ -65,6 +65,12 @@ class GunBar(QWidget):
             action.setToolTip(each.told)
             action.triggered.connect(lambda _on=False, slug=each.slug: self.preset_wanted.emit(slug))
         self.examples.setMenu(menu)
+        self.reset = QToolButton()
+        self.reset.setFixedSize(30, 30)
+        self.reset.setAccessibleName(_("Reset the tube"))
+        self.reset.setToolTip(_("Put the tube back as it is at first; what is set here is not undone"))
+        set_icon(self.reset, "arrow-counter-clockwise")
+        self.reset.clicked.connect(lambda: self.preset_wanted.emit(presets()[0].slug))
         self.save = QToolButton()
         self.save.setText(_("Save drawing"))
         self.save.setAccessibleName(_("Save drawing"))
@@ -87,7 +93,7 @@ class GunBar(QWidget):
             tell_choice(box)
             row.addWidget(label)
             row.addWidget(box)
-        for part in (self.labels, self.examples):
+        for part in (self.labels, self.examples, self.reset):
             row.addWidget(part)
         row.addStretch(1)
         row.addWidget(self.save)
@@ -130,10 +136,13 @@ class GunBar(QWidget):
         self.moment.edited.connect(self.moment_wanted)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Where it is narrow the boxes stand without their names, which they tell as tooltips."""
+        """Where it is narrow, boxes and saving stand without their names, which they tell as tooltips."""
         super().resizeEvent(event)
+        wide = event.size().width() >= _NARROW_PX
         for title in self._titles:
-            title.setVisible(event.size().width() >= _NARROW_PX)
+            title.setVisible(wide)
+        style = Qt.ToolButtonStyle
+        self.save.setToolButtonStyle(style.ToolButtonTextBesideIcon if wide else style.ToolButtonIconOnly)
 
     def show_gun(self, gun: Gun, tube: TubeSettings) -> None:
         """Show what is set."""
