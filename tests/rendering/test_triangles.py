@@ -131,7 +131,7 @@ def test_front_faces_first_the_picture_is_that_of_the_text(triangles_: Any, step
     assert depth.tobytes() == plain_depth.tobytes()
 
 
-def front_first(*corners: list[Place]) -> tuple[set[int], int, set[int]]:
+def front_first(*corners: list[Any]) -> tuple[set[int], int, set[int]]:
     """The numbers of the triangles that were drawn, whether depths were equal, the colours seen: 1 and on."""
     image, depth, ties = np.zeros((40, 40), np.int64), np.ones((40, 40)), np.zeros(1, np.int64)
     vertices, faces = np.array(corners).reshape(-1, 3), np.arange(3 * len(corners)).reshape(-1, 3)
@@ -157,7 +157,7 @@ WALL = [[(-9.0, -9.0, 0.5), (99.0, -9.0, 0.5), (-9.0, 99.0, 0.5)]]
 
 
 def looking_away(z: float) -> list[Place]:
-    return [(10.0, 10.0, z), (10.0, 16.0, z), (16.0, 10.0, z)]  # type: ignore[list-item]
+    return [(10, 10, z), (10, 16, z), (16, 10, z)]
 
 
 def test_what_looks_away_is_left_out_behind_a_later_face_and_drawn_before_it() -> None:

@@ -92,8 +92,8 @@ def test_only_the_lowering_rewrites() -> None:
 def test_nothing_is_unpickled_or_fetched() -> None:
     modules = ("pickle", "shelve", "marshal", "urllib.request", "http.client", "requests")
     assert users(*modules) == set()
-    # A pair within the process: Ctrl+C wakes the event loop by it
-    assert users("socket") == {"workbench/shell/interrupts.py"}
+    # A pair within the process: threads and Ctrl+C wake the event loop by it
+    assert users("socket") == {"workbench/session/bell.py"}
 
 
 def test_no_note_of_unfinished_work() -> None:

@@ -3,8 +3,8 @@
 from typing import Literal
 
 import numpy as np
-from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QFocusEvent, QImage, QPainter, QPaintEvent, QPen, QResizeEvent, QShowEvent
+from PySide6.QtCore import QLineF, QMargins, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QFocusEvent, QImage, QPainter, QPaintEvent, QPen, QRegion, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from workbench.document.model import Rectangle
@@ -19,7 +19,7 @@ from workbench.rendering.scene.line_drawing import drawn_at_once, line_picture
 from workbench.rendering.scene.shaded import Model
 from workbench.rendering.scene.shading import QUICK
 from workbench.rendering.scene.viewpoint import Viewpoint
-from workbench.widgets.look.tokens import colour, theme, tokens
+from workbench.widgets.look.tokens import RADIUS, colour, theme, tokens
 
 Shows = Literal["faces", "edges", "lines", "both"]
 """Faces, all edges, edges without what faces hide, or faces and edges."""
@@ -102,7 +102,7 @@ class ScenePicture(QWidget):
             self.scene = scene
             self.redraw()
         if not (self.dragging and self.worker.busy):  # else the picture that is awaited is painted
-            self.update()
+            self._renew()
 
     @property
     def is_large(self) -> bool:
@@ -197,7 +197,7 @@ class ScenePicture(QWidget):
         if before is None or before[1:] != self._viewpoint[1:]:
             self.view_changed.emit(self.scale)
         self.pictured.emit(job.scene.camera)
-        self.update()
+        self._renew()
 
     def _take_drawn(self, job: SceneJob, picture: EdgePicture) -> None:
         if job.draws == self._awaited:  # else another kind is shown meanwhile
@@ -271,6 +271,17 @@ class ScenePicture(QWidget):
         return self.on_screen(placed[:, :2] / w[:, None])
 
     # Painting
+
+    def _renew(self) -> None:
+        """Have all painted but what cards hide, whose fields would be painted with each picture."""
+        seen = QRegion(self.rect())
+        if self.window().styleSheet():  # else a card is clear
+            inside = QMargins(RADIUS, RADIUS, RADIUS, RADIUS)
+            of_it = Qt.FindChildOption.FindDirectChildrenOnly
+            for card in self.findChildren(QWidget, "card", of_it):
+                if card.isVisible():
+                    seen -= QRegion(card.geometry().marginsRemoved(inside))
+        self.update(seen)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         """The picture, its edges, and what is drawn over them."""
