@@ -122,6 +122,8 @@ class SumsDock(QWidget):
         self._labels: list[tuple[QLabel, QLabel, QLabel]] = []
         self.in_sight = InSight(self)
         self.in_sight.follow(self.refresh)
+        self._work_out()
+        self._show_rows()  # to make them takes longer than to fill them anew when they are seen
 
     def _buttons(self) -> QHBoxLayout:
         row = QHBoxLayout()
