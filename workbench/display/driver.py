@@ -61,6 +61,11 @@ class TubeDriver:
         """Whether an averaged picture no longer changes visibly."""
         return self._settled
 
+    @property
+    def averages(self) -> bool:
+        """Whether the light is that of whole pictures; to find the beam's own takes long at first."""
+        return self._averaged_before
+
     def lights_of(self, beam: Beam) -> list[Light]:
         """Mean luminance per gun of a beam that has run for long."""
         rate = 1.0 / float(beam.frame_s)

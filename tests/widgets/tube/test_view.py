@@ -11,7 +11,9 @@ from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
 from workbench.display import vector_beam as beam_module
+from workbench.display.raster_beam import RasterBeam
 from workbench.display.setup import TubeSetup, mm_of, raster_tube
+from workbench.display.tube import Tube
 from workbench.display.vector_beam import VectorBeam
 from workbench.widgets.look.comfort import comfort
 from workbench.widgets.look.tokens import DARK, LIGHT, theme
@@ -265,3 +267,25 @@ def test_a_large_picture_that_cannot_be_made_leaves_the_tube_as_it_was(
     qtbot.waitUntil(lambda: raster.has_picture)
     assert told == ["said"]
     assert raster.driver is before
+
+
+def test_the_beam_in_a_large_picture_is_found_on_a_thread_as_it_comes_in_slow_motion(
+    qtbot: QtBot, raster: TubeView, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    raster.set_image(np.full((330, 330), 0xFFFFFF, np.uint32))
+    qtbot.waitUntil(lambda: raster.has_picture)
+    assert raster.averaged
+    threads, settle = [], RasterBeam.settle
+
+    def watched(beam: RasterBeam, tube: Tube) -> None:
+        threads.append(current_thread())
+        settle(beam, tube)
+
+    monkeypatch.setattr(RasterBeam, "settle", watched)
+    raster.set_slow_motion(1000.0)
+    qtbot.waitUntil(lambda: bool(threads) and raster.has_picture)
+    qtbot.wait(100)  # it runs on, and is not made again
+    assert len(threads) == 1
+    assert threads[0] is not main_thread()
+    assert raster.standing is not None
+    assert not raster.standing.averages

@@ -195,6 +195,9 @@ class LiveTube(QWidget):
         self._clock.restart()
         elapsed = min(Fraction(elapsed_ns, 10**9), Fraction(_LONGEST_STEP_S))
         averaged, driver = self.averaged, self.standing
+        if driver.averages and not averaged and self._is_large:
+            self._rebuild()
+            return
         driver.advance(elapsed / Fraction(self._slow) / PICOSECOND, averaged)
         self._refresh()
         if averaged and driver.steady:
