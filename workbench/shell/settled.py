@@ -24,7 +24,7 @@ def has_settled(window: MainWindow) -> bool:
     session = window.session
     if library.busy or (session is not None and (session.ahead.busy or not session.run.done)):
         return False
-    return all(tube.has_picture for tube in window.findChildren(LiveTube) if tube.sight.now)
+    return all(tube.is_current for tube in window.findChildren(LiveTube) if tube.sight.now)
 
 
 def when_settled(window: MainWindow, act: Callable[[], object], before: bool = False) -> None:

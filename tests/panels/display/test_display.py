@@ -188,7 +188,7 @@ def test_the_dock_follows_the_session_and_swaps_its_tube(qtbot: QtBot, session: 
     assert dock.view is dock.raster
     dock._choices.button(1).click()
     assert dock.view is dock.vector
-    qtbot.waitUntil(lambda: dock.vector.has_picture)
+    qtbot.waitUntil(lambda: dock.vector.is_current)
     assert dock.vector.driver is not None
     assert dock.vector.driver.beam.energy_per_frame().any()
     assert not dock.raster.running

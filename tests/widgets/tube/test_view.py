@@ -149,7 +149,7 @@ def test_the_vector_tube_slows_down_with_a_long_list(qtbot: QtBot) -> None:
     view.set_setup(TubeSetup(vector_display="atari-dvg"))
     view.set_strokes([(1.0, 1.0, 14.0, 10.0, 0xFFFFFF)], (16, 12))
     view.show()
-    qtbot.waitUntil(lambda: view.has_picture)
+    qtbot.waitUntil(lambda: view.is_current)
     assert view.refresh_hz == pytest.approx(60.0)
     view.set_strokes([(1.0, 1.0, 14.0, 10.0, 0xFFFFFF)] * 80, (16, 12))
     assert view.refresh_hz < 30.0
@@ -180,7 +180,7 @@ def test_what_was_blurred_is_drawn_anew_once_the_text_is_there(
     tube.resize(300, 240)
     tube.set_strokes([(2.0, row / 4, 60.0, row / 4, 0xFFFFFF) for row in range(160)], (64, 48))
     tube.show()
-    qtbot.waitUntil(lambda: tube.has_picture)
+    qtbot.waitUntil(lambda: tube.is_current)
     assert tube.driver is not None
     blurred = tube.driver.beam
     assert isinstance(blurred, VectorBeam)
@@ -216,16 +216,16 @@ def test_a_tube_is_made_once_when_it_comes_in_sight_whatever_it_was_given_before
     view.shown.connect(lambda: view.set_setup(TubeSetup("P1")))
     view.shown.connect(lambda: view.set_image(image()))
     view.set_setup(TubeSetup("P4"))
-    assert not view.has_picture
+    assert made == []
     with qtbot.waitExposed(view):
         view.show()
-    qtbot.waitUntil(lambda: view.has_picture)
+    qtbot.waitUntil(lambda: view.is_current)
     assert made == [TubeSetup("P1")]
     view.hide()
     view.set_setup(TubeSetup("P31"))
     assert len(made) == 1
     view.show()
-    qtbot.waitUntil(lambda: view.has_picture)
+    qtbot.waitUntil(lambda: view.is_current)
     assert len(made) == 2
 
 
@@ -245,11 +245,11 @@ def test_the_tube_of_a_large_picture_is_made_on_a_thread_and_only_the_last_is_sh
     before = raster.driver
     for each in (first, second, last):
         raster.set_image(each)
-    assert not raster.has_picture
+    assert not raster.is_current
     assert raster.driver is before
     assert not raster.running  # the one before stands still
     may_go.set()
-    qtbot.waitUntil(lambda: raster.has_picture)
+    qtbot.waitUntil(lambda: raster.is_current)
     assert [each is last for each in made] == [False, True]
     assert main_thread() not in threads
     assert raster.driver is not before
@@ -264,7 +264,7 @@ def test_a_large_picture_that_cannot_be_made_leaves_the_tube_as_it_was(
     monkeypatch.setattr(view_module, "raster_tube", lambda *_arguments: 1 // 0)
     before = raster.driver
     raster.set_image(np.zeros((330, 330), np.uint32))
-    qtbot.waitUntil(lambda: raster.has_picture)
+    qtbot.waitUntil(lambda: raster.is_current)
     assert told == ["said"]
     assert raster.driver is before
 
@@ -273,7 +273,7 @@ def test_the_beam_in_a_large_picture_is_found_on_a_thread_as_it_comes_in_slow_mo
     qtbot: QtBot, raster: TubeView, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     raster.set_image(np.full((330, 330), 0xFFFFFF, np.uint32))
-    qtbot.waitUntil(lambda: raster.has_picture)
+    qtbot.waitUntil(lambda: raster.is_current)
     assert raster.averaged
     threads, settle = [], RasterBeam.settle
 
@@ -283,7 +283,7 @@ def test_the_beam_in_a_large_picture_is_found_on_a_thread_as_it_comes_in_slow_mo
 
     monkeypatch.setattr(RasterBeam, "settle", watched)
     raster.set_slow_motion(1000.0)
-    qtbot.waitUntil(lambda: bool(threads) and raster.has_picture)
+    qtbot.waitUntil(lambda: bool(threads) and raster.is_current)
     qtbot.wait(100)  # it runs on, and is not made again
     assert len(threads) == 1
     assert threads[0] is not main_thread()

@@ -153,7 +153,7 @@ class LiveTube(QWidget):
         return self._timer.isActive()
 
     @property
-    def has_picture(self) -> bool:
+    def is_current(self) -> bool:
         """Whether it shows what it was given, in the size that it has now."""
         later = self._coming.isActive() or self._resized.isActive() or self._making is not None
         return (self._shown is not None or not self._is_fed) and not later
