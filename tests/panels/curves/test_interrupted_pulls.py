@@ -54,3 +54,23 @@ def test_what_is_pulled_in_a_plot_goes_no_farther_after_something_else(qtbot, na
     before = panel.session.document
     panel.commands.pull_weight(1, 3.0)  # the next pull is one of its own
     assert panel.session.document != before
+
+
+def test_a_hand_that_holds_one_curve_pulls_no_other_that_is_chosen_meanwhile(qtbot):
+    panel = with_docks(qtbot, *(curve_through(*PLACES[:n], spline="nurbs") for n in (4, 7)))
+    session, basis = panel.session, panel.beside.basis
+    short, long = (figure.id for figure in session.sheet.figures)
+    session.update_state(selection=(short,), active=short)
+    settle()
+    basis.knot_dragged.emit("#4", 0.5)
+    session.update_state(selection=(long,), active=long)
+    settle()
+    before = session.document
+    assert panel.focus.curve.id == long
+    basis.knot_dragged.emit("#9", 2.5)  # the short curve has no such knot
+    basis.weight_dragged.emit(1, 3.0)
+    assert session.document is before
+    basis.knot_released.emit("")
+    basis.knot_dragged.emit("#6", 2.5)
+    assert session.sheet.figures[1].knots[6].u == 2.5
+    assert session.sheet.figures[0] is before.sheets[0].figures[0]

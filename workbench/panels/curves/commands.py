@@ -171,9 +171,8 @@ class CurveCommands(QObject):
         names = knot_names(curve)
         if knot not in names and not (self._pull.busy and knot in knot_names(self._pulled)):
             return  # it went while it was held, as by an undo
-        if not self._pull.begun:
-            self._pull.begin()
-            self._pulled = curve
+        if not self._holds(curve):
+            return
         if knot not in {each.id for each in self._pulled.knots} and not knot.startswith("#"):
             # It became free by this pull, which does all it does to the curve as it was.
             knot = f"#{[each.id for each in curve.knots].index(knot)}"
@@ -197,10 +196,17 @@ class CurveCommands(QObject):
         curve = self.focus.curve
         if curve is None or not 0 <= number < len(curve.points_world):
             return
-        if not self._pull.begun:
-            self._pull.begin()
+        if not self._holds(curve):
+            return
         address = self.address(curve, curve.points_world[number].id, "weight")
         self._pull.show(set_weights({address: float(f"{weight:.4g}")}), _("Change weight"))
+
+    def _holds(self, curve: Curve) -> bool:
+        """Take hold of a curve; False while another one is held, as when the focus went meanwhile."""
+        if not self._pull.begun:
+            self._pull.begin()
+            self._pulled = curve
+        return curve.id == self._pulled.id
 
     def let_go(self) -> None:
         """End a pull, as one step of undo."""
