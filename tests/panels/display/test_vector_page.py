@@ -138,12 +138,12 @@ def test_the_system_says_where_its_list_runs_until_it_was_run(qtbot: QtBot, sess
 
 
 @pytest.mark.parametrize(("operation", "parts"), [(0, "deflection"), (1, "intensity"), (2, "processor")])
-def test_the_parts_that_work_light_up(page: VectorPage, operation: int, parts: str) -> None:
+def test_the_parts_that_work_light_up(page: VectorPage, qtbot: QtBot, operation: int, parts: str) -> None:
     assert parts in lit_parts(operation)
     assert not lit_parts(-1)
     page.go_to({0: 0, 1: 1, 2: len(page.table.model.program or ()) - 1}[operation])
     settle(page)
-    assert "at work" in page.architecture.accessibleDescription()
+    qtbot.waitUntil(lambda: "at work" in page.architecture.accessibleDescription())
     page.architecture.resize(420, 220)
     assert not page.architecture.grab().isNull()
 

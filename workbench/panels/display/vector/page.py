@@ -2,10 +2,9 @@
 
 from collections.abc import Sequence
 from dataclasses import replace as replace_setup
-from functools import partial
 
 from msgspec.structs import replace
-from PySide6.QtCore import QEvent, QObject, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QGuiApplication, QKeyEvent, QKeySequence, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import (
     QLabel,
@@ -62,6 +61,7 @@ class VectorPage(PlainPage, QWidget):
         self._waiting = False
         self._run: VectorRun | None = None
         self._fed: object = None
+        self._system_due = QTimer(self, singleShot=True)
         self.bar = VectorBar(session)
         self.table = ListTable()
         self.tube, self.storage = StrokeView(), StorageView()
@@ -151,6 +151,7 @@ class VectorPage(PlainPage, QWidget):
     def _connect(self) -> None:
         session = self.session
         self._due.connect(self.refresh, Qt.ConnectionType.QueuedConnection)
+        self._system_due.timeout.connect(self._show_system)
         for told_of in (session.changed, session.state_changed, session.ahead.arrived):
             told_of.connect(self.refresh_soon)
         for signal in (session.run.changed, session.run.moved, session.run.grown):
@@ -240,8 +241,13 @@ class VectorPage(PlainPage, QWidget):
         self.note.setVisible(any(words))
         self._share_height()
         self.plot.show_curve(run.curve, run.budget.lines, MOST_LINES)
-        self.architecture.show_drawing(partial(architecture, run.working), told(run.working))
-        self.system.set_empty(False)
+        self._system_due.start()
+
+    def _show_system(self) -> None:
+        """In a turn of its own, as with a long list the page itself takes one."""
+        if (run := self._run) is not None:
+            self.architecture.show_drawing(architecture, run.working, told(run.working))
+            self.system.set_empty(False)
 
     def _show_tube(self, run: VectorRun) -> None:
         self.glass.setCurrentIndex(int(run.stores))
