@@ -1,5 +1,7 @@
 """The cabinet of a tube: dark bezel, bulging glass, reflection. Painted once per size and kept."""
 
+from collections.abc import Callable
+
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF, Qt
@@ -12,6 +14,7 @@ from PySide6.QtGui import (
     QPainterPath,
     QPen,
     QPixmap,
+    QPixmapCache,
 )
 
 from workbench.display.setup import area_mm, face_mm
@@ -97,8 +100,28 @@ def _blank(width: int, height: int, ratio: float) -> QPixmap:
     return pixmap
 
 
+def _kept(key: str, paint: Callable[[], QPixmap]) -> QPixmap:
+    """What was painted under this key before, by a tube of the same size, or else is now."""
+    pixmap = QPixmap()
+    if not QPixmapCache.find(key, pixmap):
+        pixmap = paint()
+        QPixmapCache.insert(key, pixmap)
+    return pixmap
+
+
 def cabinet_pixmap(width: int, height: int, ratio: float, cabinet: QRectF, glass: QRectF) -> QPixmap:
     """What lies behind the picture: the cabinet and the unlit glass."""
+    key = f"cabinet {width} {height} {ratio} {cabinet.getRect()} {glass.getRect()}"
+    return _kept(key, lambda: _painted_cabinet(width, height, ratio, cabinet, glass))
+
+
+def reflection_pixmap(width: int, height: int, ratio: float, glass: QRectF) -> QPixmap:
+    """What lies over the picture: darker towards the rim, a soft window at the upper left."""
+    key = f"reflection {width} {height} {ratio} {glass.getRect()}"
+    return _kept(key, lambda: _painted_reflection(width, height, ratio, glass))
+
+
+def _painted_cabinet(width: int, height: int, ratio: float, cabinet: QRectF, glass: QRectF) -> QPixmap:
     pixmap = _blank(width, height, ratio)
     painter = QPainter(pixmap)
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
@@ -129,11 +152,8 @@ def cabinet_pixmap(width: int, height: int, ratio: float, cabinet: QRectF, glass
     return pixmap
 
 
-def reflection_pixmap(width: int, height: int, ratio: float, glass: QRectF) -> QPixmap:
-    """What lies over the picture: darker towards the rim, a soft window at the upper left.
-
-    Both are so faint that eight bits would show their steps, and so they are dithered.
-    """
+def _painted_reflection(width: int, height: int, ratio: float, glass: QRectF) -> QPixmap:
+    """Rim and window are so faint that eight bits would show their steps, and so they are dithered."""
     pixmap = _blank(width, height, ratio)
     painter = QPainter(pixmap)
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
