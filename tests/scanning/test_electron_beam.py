@@ -224,7 +224,7 @@ def test_the_way_through_the_coils_is_an_arc(field_mt, length) -> None:
 
 
 def test_coils_that_would_turn_the_beam_round_let_nothing_out() -> None:
-    assert beam((0.0, 5.0), coils=True)[-1][0] == ANODE_MM
+    assert beam((0.0, 5.0), coils=True)[-1][0] == PLATES_MM  # where they begin
     assert beam((0.0, 3.0), coils=True)[-1][0] > 200.0
     run = (-18.0, 420.0, 2000.0, True, np.array([0.0, 5.0]), *EXAMPLE[5:])
     assert "no sine is 1 or more" in sentence(5, *run)

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, QSize, Qt
 from PySide6.QtGui import QMouseEvent, QResizeEvent
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QApplication,
     QDockWidget,
@@ -60,6 +61,8 @@ def tab_bars(window: MainWindow) -> list[QTabBar]:
 
 
 def settle(times: int = 4) -> None:
+    while library.busy:
+        QTest.qWait(5)
     for _turn in range(times):
         QApplication.processEvents()
         QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)

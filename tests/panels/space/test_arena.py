@@ -151,8 +151,7 @@ def test_the_docks_forget_the_counts_of_a_scene_that_has_been_left(qtbot, sessio
     panel.show_page("space")
     assert page.measures.runs
     session.open_example("space-house")
-    QApplication.processEvents()
-    assert not page.measures.runs
+    qtbot.waitUntil(lambda: not page.measures.runs)
     assert not any("comparisons here" in row.image_space for row in page.question.rows)
 
 
