@@ -2,7 +2,15 @@
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QPainter, QPaintEvent
-from PySide6.QtWidgets import QLabel, QPushButton, QStackedLayout, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QFrame,
+    QLabel,
+    QPushButton,
+    QScrollArea,
+    QStackedLayout,
+    QVBoxLayout,
+    QWidget,
+)
 
 from workbench.language import _
 from workbench.widgets.look.tokens import colour, tokens
@@ -31,7 +39,7 @@ class EmptyState(QWidget):
         column.addWidget(self.sentence)
         column.addWidget(self.button, 0, Qt.AlignmentFlag.AlignLeft)
         column.addStretch(1)
-        self._layout.addWidget(words)
+        self._layout.addWidget(_scrolled(words))
 
     def paintEvent(self, event: QPaintEvent) -> None:
         """The ground of a panel."""
@@ -45,3 +53,16 @@ class EmptyState(QWidget):
     def empty(self) -> bool:
         """Whether the sentence is shown."""
         return self._layout.currentIndex() == 1
+
+
+def _scrolled(words: QWidget) -> QScrollArea:
+    """In a view too low for its words they can be scrolled."""
+    scrolled = QScrollArea()
+    scrolled.setWidget(words)
+    scrolled.setWidgetResizable(True)
+    scrolled.setFrameShape(QFrame.Shape.NoFrame)
+    scrolled.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+    scrolled.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+    for ground in (words, scrolled.viewport()):
+        ground.setAutoFillBackground(False)
+    return scrolled

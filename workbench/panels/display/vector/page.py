@@ -75,7 +75,7 @@ class VectorPage(PlainPage, QWidget):
         )
         self.system = EmptyView(
             self.architecture,
-            _("Shown on the page Random scan."),
+            _("The display list of this sheet runs through the system on the page Random scan."),
             _("Go to Random scan"),
         )
         self.system.button.setToolTip(_("Run the display list, instruction by instruction"))
