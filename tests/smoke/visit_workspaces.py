@@ -37,7 +37,11 @@ def main() -> int:
             return
         place = places.pop(0)
         window.go(place)
-        QTimer.singleShot(SETTLE_MS, lambda: leave(place))
+        arrive(place)
+
+    def arrive(place: str) -> None:
+        there = window.place == place
+        QTimer.singleShot(SETTLE_MS, lambda: leave(place) if there else arrive(place))
 
     def fail(*error: Any) -> None:
         sys.__excepthook__(*error)
