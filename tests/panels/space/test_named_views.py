@@ -8,7 +8,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QApplication, QLineEdit
 from pytestqt.qtbot import QtBot
 
-from tests.panels.space.by_hand import LEFT, SHIFT, camera_of, scene_of, settle, shown
+from tests.panels.space.by_hand import LEFT, SHIFT, camera_of, drag, scene_of, settle, shown
 from workbench.document.scene.model import Camera
 from workbench.panels.space.projection_page import ProjectionPage
 
@@ -155,3 +155,14 @@ def test_a_view_without_a_name_keeps_the_one_it_had(qtbot: QtBot, page: Projecti
     type_name(qtbot, page, "   ")
     assert names(page) == ["street"]
     assert said == ["A view needs a name; this one keeps the name street."]
+
+
+def test_the_button_that_keeps_a_view_is_whole_in_larger_type(qtbot: QtBot, page: ProjectionPage) -> None:
+    font = page.card.font()
+    font.setPixelSize(20)
+    for part in (page.card.note, page.card.keep):
+        part.setFont(font)
+    drag(qtbot, page.eye, (20, 300), (60, -30))
+    settle(qtbot, page)
+    assert page.card.keep.isVisible()
+    assert page.card.keep.width() >= page.card.keep.sizeHint().width()

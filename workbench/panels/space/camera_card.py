@@ -126,7 +126,7 @@ class CameraCard(QFrame):
         column_.setSpacing(4)
         column_.addLayout(head)
         column_.addWidget(self._body)
-        foot = QHBoxLayout()
+        self._foot = foot = QHBoxLayout()
         foot.setSpacing(8)
         foot.addWidget(self.note, 1)
         foot.addWidget(self.back)
@@ -226,7 +226,8 @@ class CameraCard(QFrame):
     def _fit(self) -> None:
         layout = self.layout()
         if layout is not None:
-            margins, room = layout.contentsMargins(), self._head.sizeHint().width()  # of the longest name
+            margins = layout.contentsMargins()  # beside the longest name, and what stands below
+            room = max(row.sizeHint().width() for row in (self._head, self._foot))
             width = _FOLDED_PX if self._body.isHidden() else _WIDTH_PX
             width = max(width, room + margins.left() + margins.right())
             wraps = layout.hasHeightForWidth()
