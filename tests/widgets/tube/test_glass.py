@@ -5,7 +5,7 @@ from PySide6.QtCore import QRectF
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication
 
-from workbench.widgets.tube.glass import fitted, reflection_pixmap
+from workbench.widgets.tube.glass import cabinet_pixmap, fitted, reflection_pixmap
 
 
 def alphas(ratio: float = 1.0) -> tuple[np.ndarray, QRectF]:
@@ -34,3 +34,15 @@ def test_the_rim_is_darker_and_the_middle_is_clear(qapp: QApplication) -> None:
     assert middle == 0
     assert corner > 60
     assert alpha[2, 2] == 0
+
+
+def test_tubes_of_one_size_share_their_glass_and_others_have_their_own(qapp: QApplication) -> None:
+    cabinet, glass = fitted(400, 340, 0.75, 22)
+    moved = glass.translated(0, 1)
+    for paint in (
+        lambda place, ratio=1.0: reflection_pixmap(400, 340, ratio, place),
+        lambda place, ratio=1.0: cabinet_pixmap(400, 340, ratio, cabinet, place),
+    ):
+        one = paint(glass).cacheKey()
+        assert paint(QRectF(glass)).cacheKey() == one
+        assert len({one, paint(moved).cacheKey(), paint(glass, 2.0).cacheKey()}) == 3

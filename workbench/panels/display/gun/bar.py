@@ -68,7 +68,7 @@ class GunBar(QWidget):
         self.reset = QToolButton()
         self.reset.setFixedSize(30, 30)
         self.reset.setAccessibleName(_("Reset the tube"))
-        self.reset.setToolTip(_("Put the tube back as it is at first; what is set here is not undone"))
+        self.reset.setToolTip(_("Put the tube back as it was at first; Undo does not reach what is set here"))
         set_icon(self.reset, "arrow-counter-clockwise")
         self.reset.clicked.connect(lambda: self.preset_wanted.emit(presets()[0].slug))
         self.save = QToolButton()
