@@ -10,7 +10,7 @@ from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtWidgets import QHBoxLayout, QWidget
 
 from workbench.widgets.fields.arithmetic import evaluate
-from workbench.widgets.fields.number_field import EntryLine, NumberField, with_subscript
+from workbench.widgets.fields.number_field import EntryLine, NumberField, lowered, with_subscript
 
 
 @given(st.integers(-999, 999), st.integers(1, 99), st.integers(-99, 99))
@@ -184,3 +184,8 @@ def test_only_another_number_or_another_room_is_measured(qtbot, field, monkeypat
     assert field.field.toolTip().startswith("123456\n")
     field.field.setFixedWidth(200)
     assert "123456" not in field.field.toolTip()
+
+
+def test_names_are_lowered_and_apostrophes_stay():
+    assert lowered("At the anode's voltage") == "At the anode's voltage"
+    assert lowered("V_a < 2") == "V<sub>a</sub> &lt; 2"

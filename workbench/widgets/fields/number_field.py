@@ -46,7 +46,7 @@ def with_subscript(name: str) -> str:
 
 def lowered(words: str) -> str:
     """Words with names such as ``V_a`` in them as rich text with real subscripts."""
-    return re.sub(r"_(\w+)", r"<sub>\1</sub>", html.escape(words))
+    return re.sub(r"_(\w+)", r"<sub>\1</sub>", html.escape(words, quote=False))
 
 
 def complaint_label() -> QLabel:

@@ -11,7 +11,7 @@ PADDING_PX = 20
 ROOM_FOR = Qt.ItemDataRole.UserRole
 """Of a heading: the longest that stands below it, where the first rows do not tell."""
 
-_SLACK_PX, _CLOSER_PX = 12, 6
+_SLACK_PX, _CLOSER_PX = 12, 3
 DECORATION_PX = 24
 
 
