@@ -10,11 +10,11 @@ crash, an event that takes the interface over 30 s of processor time or never en
 log names each event before it is done.
 
 Memory is what the process holds for itself at rest, pages of library files aside: an empty picture, which
-every workspace has been entered with, on its first page and with its docks as at first, in a window as large
-as then; caches of functions emptied that have a bound (they fill for hours; those without one stay, and
-tell), garbage collected, and what was freed given back by the allocator (``malloc_trim``), which else keeps
-tens of megabytes of it, at times more and at times less. The median of the marks at 8,000 to 12,000 events is
-compared with that of the marks at 16,000 to 20,000.
+every page of every workspace has been entered with, the first of them last, with its docks as at first, in a
+window as large, of the theme and of the type as then; caches of functions emptied that have a bound (they
+fill for hours; those without one stay, and tell), garbage collected, and what was freed given back by the
+allocator (``malloc_trim``), which else keeps tens of megabytes of it, at times more and at times less. The
+median of the marks at 8,000 to 12,000 events is compared with that of the marks at 16,000 to 20,000.
 """
 
 import argparse
@@ -41,6 +41,7 @@ from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox
 from tests.soak.events import KINDS, PAGED, page, workspace
 from tests.soak.hand import Hand
 from tests.soak.holdings import edited, holdings
+from workbench.shell.theme import choose_theme, choose_type
 from workbench.shell.workspaces import workspaces
 
 MARK, SETTLED, LAST = 1_000, (8, 12), (16, 20)  # marks, the first is 1
@@ -177,12 +178,18 @@ class Monkey(QObject):
         weights = edited(self._window.session)
         self._window.session.new()
         self._window.resize(*SIZE)
+        choose_theme(self._window, "system")
+        choose_type(self._window, large=False)
         for each in (*workspaces(), workspaces()[0]):  # each keeps what it showed until it is entered
             self._window.go(each.slug)
             QTest.qWait(_REST_MS)
             self._window.reset_workspace()
             if each.slug in PAGED and (panels := self._window.panels(each.slug)):
-                panels[0].show_page()
+                for button in reversed(
+                    panels[0].buttons.buttons()
+                ):  # and each page a picture as large as it was
+                    button.click()
+                    QTest.qWait(_REST_MS)
         # What is to be deleted waits for the loop that this was called from
         QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
         held = holdings()

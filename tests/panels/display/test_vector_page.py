@@ -134,6 +134,7 @@ def test_the_system_says_where_its_list_runs_until_it_was_run(qtbot: QtBot, sess
     session.flush()
     page.refresh()
     assert page.architecture.isVisible()
+    assert page.table.view.hasFocus()  # no longer in the dock, where keys would step nothing
     assert "nothing runs" in page.architecture.accessibleDescription()
 
 

@@ -34,7 +34,7 @@ from workbench.session.session import Session
 from workbench.widgets.canvas.overlay import Overlay
 from workbench.widgets.canvas.pixel_canvas import PixelCanvas
 from workbench.widgets.fields.choice_box import ChoiceBox
-from workbench.widgets.look.empty_state import EmptyState
+from workbench.widgets.look.empty_view import EmptyView
 from workbench.widgets.look.tips import tell_choice
 from workbench.widgets.look.tokens import theme_changed, tokens
 from workbench.widgets.tables.table_copies import put_on_clipboard, rows_copied
@@ -135,7 +135,7 @@ class CompareView(QWidget):
         column.addLayout(choosing)
         column.addLayout(self._found, 1)
         column.addWidget(self.note)
-        self.state = EmptyState(body, _("Draw a figure, and the algorithms for it are compared here."))
+        self.state = EmptyView(body, _("Draw a figure, and the algorithms for it are compared here."))
         self.state.wanted.connect(self.example_wanted)
         outer = QVBoxLayout(self)
         outer.setContentsMargins(0, 0, 0, 0)

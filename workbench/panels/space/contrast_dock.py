@@ -11,7 +11,7 @@ from workbench.exchange.tables import Table
 from workbench.geometry.meshes import Array
 from workbench.language import _, reason_of
 from workbench.rendering.scene.contrast import Contrast, Row, contrast
-from workbench.widgets.look.empty_state import EmptyState
+from workbench.widgets.look.empty_view import EmptyView
 from workbench.widgets.look.in_sight import InSight
 from workbench.widgets.look.scrolled import scrolled
 from workbench.widgets.tables.feature_table import FeatureTable
@@ -45,7 +45,7 @@ class ContrastDock(QWidget):
         column.setSpacing(0)
         column.addWidget(self.table, 1)
         column.addWidget(scrolled(self.note))
-        self.empty = EmptyState(inner, "")
+        self.empty = EmptyView(inner, "")
         self.empty.button.hide()
         whole = QVBoxLayout(self)
         whole.setContentsMargins(0, 0, 0, 0)

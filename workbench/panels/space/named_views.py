@@ -25,7 +25,7 @@ from workbench.document.scene.looking import kind_of, kinds
 from workbench.document.scene.model import Camera, NamedView, Scene
 from workbench.language import _, legible
 from workbench.panels.space.looking import Looking
-from workbench.widgets.look.empty_state import EmptyState
+from workbench.widgets.look.empty_view import EmptyView
 from workbench.widgets.look.icons import set_icon
 
 _ID = Qt.ItemDataRole.UserRole
@@ -61,7 +61,7 @@ class NamedViewsDock(QWidget):
         delete.activated.connect(self.remove_view)
         self.menu = QMenu(self.list.accessibleName(), self)
         self.menu.aboutToShow.connect(self._fill_menu)
-        self.empty = EmptyState(self.list, _("No view has a name yet."), self.keep.text())
+        self.empty = EmptyView(self.list, _("No view has a name yet."), self.keep.text())
         self.empty.button.setToolTip(_("Keep this view, to come back to it later"))
         self.empty.wanted.connect(self.name_view)
         self.add = QPushButton(self.keep.text())

@@ -21,7 +21,7 @@ from workbench.document.scene.model import Object
 from workbench.exchange.tables import Table
 from workbench.geometry.meshes import Mesh
 from workbench.language import _
-from workbench.widgets.look.empty_state import EmptyState
+from workbench.widgets.look.empty_view import EmptyView
 from workbench.widgets.look.in_sight import InSight
 from workbench.widgets.look.type_faces import code_font
 
@@ -161,7 +161,7 @@ class PolygonTablesView(QWidget):
         column.setContentsMargins(8, 6, 8, 6)
         column.addWidget(self.choice)
         column.addWidget(self.table, 1)
-        self.empty = EmptyState(inner, _("Choose an object, and its vertices, edges and faces are listed."))
+        self.empty = EmptyView(inner, _("Choose an object, and its vertices, edges and faces are listed."))
         self.empty.button.hide()
         whole = QVBoxLayout(self)
         whole.setContentsMargins(0, 0, 0, 0)

@@ -12,7 +12,7 @@ from workbench.engine.sentences import number_text
 from workbench.language import _, ngettext
 from workbench.session.run import Run
 from workbench.widgets.fields.number_field import with_subscript
-from workbench.widgets.look.empty_state import EmptyState
+from workbench.widgets.look.empty_view import EmptyView
 from workbench.widgets.look.in_sight import InSight
 from workbench.widgets.look.tokens import TITLE_PX, theme, tokens
 
@@ -36,7 +36,7 @@ class AboutView(QWidget):
         self.text.setAccessibleName(_("About this algorithm"))
         self.text.document().setDocumentMargin(12)
         self.text.anchorClicked.connect(self._follow)
-        self.state = EmptyState(self.text, _("Draw a figure to read about its algorithm here."))
+        self.state = EmptyView(self.text, _("Draw a figure to read about its algorithm here."))
         self.state.wanted.connect(self.example_wanted)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QComboBox, QHBoxLayout, QVBoxLayout, QWidget
 
 from workbench.language import _
 from workbench.session.run import Run
-from workbench.widgets.look.empty_state import EmptyState
+from workbench.widgets.look.empty_view import EmptyView
 from workbench.widgets.look.in_sight import InSight, dock_around
 from workbench.widgets.look.tips import tell_choice
 from workbench.widgets.stepping.source_text import SourceText
@@ -51,7 +51,7 @@ class SourceView(QWidget):
         column.setSpacing(0)
         column.addWidget(self._head)
         column.addWidget(self.text, 1)
-        self.state = EmptyState(body, _("Draw a figure to see the algorithm that draws it."))
+        self.state = EmptyView(body, _("Draw a figure to see the algorithm that draws it."))
         self.state.wanted.connect(self.example_wanted)
         outer = QVBoxLayout(self)
         outer.setContentsMargins(0, 0, 0, 0)

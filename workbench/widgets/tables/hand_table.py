@@ -25,7 +25,7 @@ from workbench.exchange.tables import Table, shown, typeset
 from workbench.language import _
 from workbench.session.answers import Answers
 from workbench.session.run import Run
-from workbench.widgets.look.empty_state import EmptyState
+from workbench.widgets.look.empty_view import EmptyView
 from workbench.widgets.look.tokens import colour, theme, tokens
 from workbench.widgets.look.type_faces import cell_font, code_font
 from workbench.widgets.tables.table_columns import FittedColumns, WholeRows
@@ -152,7 +152,7 @@ class HandTable(QWidget):
         self.copy_action.triggered.connect(self.copy_all)
         self.view.addAction(self.copy_action)
         self.view.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
-        self.state = EmptyState(self.view, _("Every step becomes a row here."))
+        self.state = EmptyView(self.view, _("Every step becomes a row here."))
         self.state.wanted.connect(self.example_wanted)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)

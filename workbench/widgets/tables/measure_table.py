@@ -27,7 +27,7 @@ from PySide6.QtWidgets import QTableView, QVBoxLayout, QWidget
 from workbench.exchange.tables import Table
 from workbench.language import _
 from workbench.widgets.canvas.drawing import PATTERNS, Pattern, ink_of
-from workbench.widgets.look.empty_state import EmptyState
+from workbench.widgets.look.empty_view import EmptyView
 from workbench.widgets.look.tokens import colour, theme, tokens
 from workbench.widgets.look.type_faces import code_font
 from workbench.widgets.plots.parameter_axis import number_text
@@ -215,7 +215,7 @@ class MeasureTable(QWidget):
         self.copy_action.triggered.connect(self.copy_all)
         self.view.addAction(self.copy_action)
         self.view.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
-        self.state = EmptyState(self.view, _("Select a curve to measure it beside other kinds."))
+        self.state = EmptyView(self.view, _("Select a curve to measure it beside other kinds."))
         self.state.wanted.connect(self.example_wanted)
         self.state.set_empty(True)
         column = QVBoxLayout(self)

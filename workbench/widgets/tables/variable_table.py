@@ -12,7 +12,7 @@ from workbench.engine.containers import LeftOut, same
 from workbench.exchange.tables import shown
 from workbench.language import _, ngettext
 from workbench.session.run import Run
-from workbench.widgets.look.empty_state import EmptyState
+from workbench.widgets.look.empty_view import EmptyView
 from workbench.widgets.look.tokens import colour, theme, tokens
 from workbench.widgets.look.type_faces import cell_font
 from workbench.widgets.tables.table_columns import PADDING_PX
@@ -126,7 +126,7 @@ class VariableTable(QWidget):
         header.setHighlightSections(False)
         header.setSectionResizeMode(0, QHeaderView.ResizeMode.Fixed)
         header.setSectionResizeMode(1, QHeaderView.ResizeMode.Stretch)
-        self.state = EmptyState(self.view, _("The variables of the algorithm are shown here."))
+        self.state = EmptyView(self.view, _("The variables of the algorithm are shown here."))
         self.state.wanted.connect(self.example_wanted)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)

@@ -34,7 +34,7 @@ from workbench.panels.stage.plain_page import PlainPage
 from workbench.rendering.subjects.random_scan import KIND, MOST_LINES, runs_a_list
 from workbench.session.session import Session
 from workbench.widgets.formulas.drawing_view import DrawingView
-from workbench.widgets.look.empty_state import EmptyState as EmptyView
+from workbench.widgets.look.empty_view import EmptyView
 from workbench.widgets.look.icons import set_icon
 from workbench.widgets.plots.refresh_plot import RefreshPlot
 from workbench.widgets.stepping.step_bar import stepping_key
@@ -156,7 +156,7 @@ class VectorPage(PlainPage, QWidget):
             told_of.connect(self.refresh_soon)
         for signal in (session.run.changed, session.run.moved, session.run.grown):
             signal.connect(self.refresh_soon)
-        self.system.wanted.connect(lambda: session.visit(PAGE, self.usual))
+        self.system.wanted.connect(self._visit)
         self.table.address_chosen.connect(self.go_to)
         self.table.wanted.connect(self._change)
         self.table.model.edited.connect(self._type)
@@ -169,6 +169,11 @@ class VectorPage(PlainPage, QWidget):
         for view in (self.tube, self.storage):
             view.sight.changed.connect(self.refresh_soon)
         self.table.view.installEventFilter(self)
+
+    def _visit(self) -> None:
+        """Run the list here; the dock's button, which had the focus, goes with its sentence."""
+        self.session.visit(PAGE, self.usual)
+        self.setFocus()
 
     # What Display asks of a page
 

@@ -16,7 +16,7 @@ from workbench.language import _
 from workbench.widgets.look.tokens import colour, tokens
 
 
-class EmptyState(QWidget):
+class EmptyView(QWidget):
     """Shows ``view``, or the sentence and a button while ``set_empty`` is on; ``wanted``: it was pressed."""
 
     wanted = Signal()
