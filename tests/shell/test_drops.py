@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import QMimeData, QPoint, Qt, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
-from PySide6.QtWidgets import QApplication, QPushButton
+from PySide6.QtWidgets import QApplication, QPushButton, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.shell.conftest import leave
@@ -104,19 +104,23 @@ def test_a_list_of_points_becomes_a_curve(window: MainWindow, tmp_path: Path, na
     assert [(p.x, p.y) for p in curve.points_world] == [(1, 2), (30, 20), (50, 4)]
 
 
-def test_what_is_wrong_with_a_dropped_file_is_said(window: MainWindow, tmp_path: Path) -> None:
+def test_what_is_wrong_with_a_dropped_file_is_said_as_an_error(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path
+) -> None:
     before = window.session.document
     for name, content, said in (
         ("a.svg", "<svg", "XML"),
         ("b.csv", "1;2\n3;four", "2"),
         ("c.csv", None, "c.csv"),
+        ("d.obj", "v 0 0\nf 1 2 9\n", "d.obj was not imported"),
+        ("e.gwb", "{", "e.gwb was not opened"),
     ):
         if content is not None:
             (tmp_path / name).write_text(content)
+        window.messages.dismiss()
         assert drop(window, tmp_path / name)
-        assert said in window.messages.text
-    (tmp_path / "d.gwb").write_text("{")
-    assert drop(window, tmp_path / "d.gwb")
+        qtbot.waitUntil(lambda said=said: said in window.messages.text)
+        assert "Error" in [each.accessibleName() for each in window.messages.findChildren(QWidget)]
     assert window.session.document is before
 
 

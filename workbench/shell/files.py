@@ -125,14 +125,14 @@ class Files(QObject):
     def _into_curves(self, path: Path) -> None:
         from workbench.panels.curves.panel import CurvesPanel
 
-        panel_of(self._window.panels("curves"), CurvesPanel).exchange.take_file(
-            path, self._window.messages.say
-        )
+        exchange = panel_of(self._window.panels("curves"), CurvesPanel).exchange
+        exchange.take_file(path, self._window.messages.say, self._refuse)
 
     def _into_space(self, path: Path) -> None:
         from workbench.panels.space.panel import SpacePanel
 
-        panel_of(self._window.panels("space"), SpacePanel).meshes.take_file(path, self._window.messages.say)
+        meshes = panel_of(self._window.panels("space"), SpacePanel).meshes
+        meshes.take_file(path, self._window.messages.say, self._refuse)
 
     def _add_sheets(self, path: Path, edit: "Edit") -> None:
         """Do that as one step of undo, and show the first of them."""
@@ -150,7 +150,9 @@ class Files(QObject):
         self._warn_of(added)
 
     def _not_imported(self, path: Path, error: str) -> None:
-        sentence = _("{name} was not imported: {error}").format(name=legible(path.name), error=error)
+        self._refuse(_("{name} was not imported: {error}").format(name=legible(path.name), error=error))
+
+    def _refuse(self, sentence: str) -> None:
         self._window.messages.say(sentence, "error")
 
     def open_path(self, path: Path) -> None:

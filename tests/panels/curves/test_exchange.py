@@ -140,7 +140,7 @@ def test_curves_are_written_as_svg_and_come_back(qtbot, zigzag, tmp_path):
     write(format_for(formats_of("drawing"), path), write_svg(zigzag.session.sheet), path)
     other = opened(qtbot)
     said = []
-    other.exchange.take_file(path, said.append)
+    other.exchange.take_file(path, said.append, pytest.fail)
     assert said == ["curves.svg: 1 figure imported."]
     assert the_curve(other).spline == "b_spline"
     assert places(other) == pytest.approx(np.array(ZIGZAG))
@@ -152,7 +152,7 @@ def test_points_are_saved_and_come_back(qtbot, zigzag, tmp_path, ending):
     write(format_for(formats_of("points"), path), zigzag.points(), path)
     other = opened(qtbot)
     said = []
-    other.exchange.take_file(path, said.append)
+    other.exchange.take_file(path, said.append, pytest.fail)
     assert said == [f"points.{ending}: {len(ZIGZAG)} points added."]
     assert places(other) == list(ZIGZAG)
 

@@ -28,7 +28,7 @@ def imported(
     panel = SpacePanel(session)
     keep_until_the_end(qtbot, panel)
     said: list[str] = []
-    panel.meshes.take_file(path, said.append)
+    panel.meshes.take_file(path, said.append, said.append)
     meanwhile()
     qtbot.waitUntil(lambda: not session.incoming.busy, timeout=20_000)
     return [sentence for sentence in said if sentence]

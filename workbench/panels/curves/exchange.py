@@ -100,25 +100,31 @@ class CurveExchange(QObject):
         sheet = self.session.sheet
         self._read_text(Job("drawing", sheet=sheet), text, _("SVG"), *self._drawn(sheet, self.said.emit))
 
-    def take_file(self, path: Path, say: Say) -> None:
-        """Bring in a file: an SVG by its ending, or else a table of points. ``say`` is told of it by name."""
+    def take_file(self, path: Path, say: Say, refuse: Say) -> None:
+        """Bring in a file: an SVG by its ending, or else a table of points.
+
+        ``say`` is told of it by name, ``refuse`` why it could not be read.
+        """
         sheet = self.session.sheet
 
-        def tell(sentence: str) -> None:
-            say(_("{name}: {sentence}").format(name=legible(path.name), sentence=sentence))
+        def tell(how: Say, sentence: str) -> None:
+            how(_("{name}: {sentence}").format(name=legible(path.name), sentence=sentence))
 
+        tell_done, tell_refused = partial(tell, say), partial(tell, refuse)
         if kind_of(path) == "drawing":
-            self._read(Job("drawing", str(path), sheet=sheet), path.name, tell, *self._drawn(sheet, tell))
+            job, how = Job("drawing", str(path), sheet=sheet), self._drawn(sheet, tell_done)
+            self._read(job, path.name, tell_refused, *how)
         else:
-            self._read(Job("points", str(path)), path.name, tell, partial(self._take_places, tell))
+            job = Job("points", str(path))
+            self._read(job, path.name, tell_refused, partial(self._take_places, tell_done))
 
     def _read_text(self, job: Job, text: str, name: str, *how: Any) -> None:
         content = text[: LIMITS[job.kind] + 1].encode("utf-8", "replace")  # what is more is refused anyway
         self._read(replace(job, content=content), name, self.said.emit, *how)
 
-    def _read(self, job: Job, name: str, say: Say, take: Callable[[Any], None], *prepare: Prepare) -> None:
+    def _read(self, job: Job, name: str, refuse: Say, take: Callable[[Any], None], *prepare: Prepare) -> None:
         """Read what is short at once, and else beside: meanwhile one may go on."""
-        self.session.incoming.read(job, name, take, say, *prepare)
+        self.session.incoming.read(job, name, take, refuse, *prepare)
 
     def _drawn(self, sheet: Sheet, say: Say) -> tuple[Callable[[Any], None], Prepare]:
         """What takes a drawing onto the sheet, and what prepares it."""

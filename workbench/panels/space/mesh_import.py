@@ -34,15 +34,18 @@ class MeshImport:
     def __init__(self, session: Session) -> None:
         self._session = session
 
-    def take_file(self, path: Path, say: Say) -> None:
-        """Read a mesh file, beside the interface where it is long, and bring it in as one step of undo."""
+    def take_file(self, path: Path, say: Say, refuse: Say) -> None:
+        """Read a mesh file, beside the interface where it is long, and bring it in as one step of undo.
+
+        ``say`` is told what came in, ``refuse`` why nothing did.
+        """
         name, sheet = path.stem[:_LONGEST_NAME], self._session.sheet
         beside = "" if sheet.scene is None else sheet.id
         self._session.incoming.read(
             Job("mesh", str(path)),
             path.name,
-            partial(self._take, path, beside, say),
-            partial(self._refuse, path, say),
+            partial(self._take, path, beside, say, refuse),
+            partial(self._refuse, path, refuse),
             partial(self._edit, self._session.document, name, beside),
         )
 
@@ -61,18 +64,20 @@ class MeshImport:
         return foreseen(edit, document), read.notes
 
     @staticmethod
-    def _refuse(path: Path, say: Say, error: str) -> None:
+    def _refuse(path: Path, refuse: Say, error: str) -> None:
         sentence = _("{name} was not imported: {error}")
-        say(sentence.format(name=legible(path.name), error=error))
+        refuse(sentence.format(name=legible(path.name), error=error))
 
-    def _take(self, path: Path, beside: str, say: Say, made: tuple[Edit, tuple[str, ...]]) -> None:
+    def _take(
+        self, path: Path, beside: str, say: Say, refuse: Say, made: tuple[Edit, tuple[str, ...]]
+    ) -> None:
         edit, notes = made
         session = self._session
         sheets = {sheet.id for sheet in session.document.sheets}
         try:
             session.apply(edit, _("Import {name}").format(name=legible(path.name)))
         except DocumentError as problem:
-            self._refuse(path, say, problem.short)
+            self._refuse(path, refuse, problem.short)
             return
         new = [sheet.id for sheet in session.document.sheets if sheet.id not in sheets]
         onto = new[0] if new else beside
