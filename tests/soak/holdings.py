@@ -116,9 +116,9 @@ def reached() -> Iterator[Any]:
 def _arrays_and_images() -> tuple[float, float]:
     arrays = images = 0
     for each in reached():
-        if isinstance(each, np.ndarray) and each.base is None:
+        if issubclass(type(each), np.ndarray) and each.base is None:
             arrays += each.nbytes
-        elif isinstance(each, QImage):
+        elif issubclass(type(each), QImage):
             images += each.sizeInBytes()
     return arrays / 1e6, images / 1e6
 
