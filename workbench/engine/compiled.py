@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 
 from workbench.algorithms.entry import Emits
 from workbench.engine import arguments, at_hand, kernel_files, overloads
+from workbench.engine.dialect import NotCompilable
 from workbench.engine.drivers import PAINTING, drivers, ticking_drivers
 from workbench.engine.lowered_files import lowered as lowered_text
 from workbench.engine.lowering import Lowered, Variant
@@ -44,10 +45,6 @@ __all__ = [
 ]
 
 Function = Callable[..., Any]
-
-
-class NotCompilable(ValueError):  # noqa: N818 - says what the text is, as DialectError does
-    """The compiler refuses a text; the message has its words."""
 
 
 @functools.cache
@@ -88,13 +85,18 @@ class Kernel:
     used: dict[str, Function] = field(default_factory=dict)
     lock: threading.RLock = field(default_factory=threading.RLock)
 
-    def call(self, driver: str, values: tuple[Any, ...], compiling: bool) -> None:
-        """Run a driver, compiled where that can be."""
+    def call(self, driver: str, values: tuple[Any, ...], compiling: bool, stop: Stop | None = None) -> None:
+        """Run a driver, compiled where that can be. Raises: Stopped, where ``stop`` was set by its end."""
         use = _use(driver, tuple([v.dtype for v in values if type(v) is np.ndarray]))
         known = self.used.get(use)
         if known is not None:
             known(*values)
-            return
+        else:
+            self._first(driver, use, values, compiling)
+        if stop is not None:
+            stop.check()
+
+    def _first(self, driver: str, use: str, values: tuple[Any, ...], compiling: bool) -> None:
         compiling = (compiling or self.ready(use)) and self.flavour != "interpreted"
         numba = _numba() if compiling and not self.refusal and available() else None
         if numba is None:
@@ -227,7 +229,7 @@ def ready(function: Function, use: str = "paint", dtype: str = "uint32", flavour
 def ready_on(function: Function, *args: Any) -> bool:
     """Whether a text that paints itself needs no compilation now for such arguments."""
     one = kernel(function)
-    values = (Stop().flag, *arguments.bind(function, args, False))
+    values = arguments.bind(function, args, False)
     use = _use("_run", tuple([value.dtype for value in values if type(value) is np.ndarray]))
     return not one.refusal and available() and one.ready(use)
 
@@ -245,10 +247,9 @@ def collect(
         Stopped: ``stop`` was set. DialectError, NotCompilable: the text cannot be run so.
         TypeError, ValueError: the arguments do not fit.
     """
-    flag = (stop or Stop()).flag
     one = kernel(function, flavour=flavour)
     room = arguments.expected(function, args)
-    return _collected(one, "_collect", lambda: (flag, *arguments.bind(function, args, True)), room, compiling)
+    return _collected(one, "_collect", lambda: arguments.bind(function, args, True), room, stop, compiling)
 
 
 def collect_many(
@@ -265,22 +266,22 @@ def collect_many(
     ``collect``, and ValueError for a text that takes more than numbers.
     """
     one = kernel(function, flavour=flavour)
-    table, flag = arguments.table(function, rows), (stop or Stop()).flag
+    table = arguments.table(function, rows)
     ends = np.zeros(len(table), np.int64)
     room = max(4096, len(table) * (48 if one.emits == "points" else 1))  # points of a row are a chain
-    return _collected(one, "_collect_many", lambda: (ends, flag, table), room, compiling), ends
+    return _collected(one, "_collect_many", lambda: (ends, table), room, stop, compiling), ends
 
 
 def _collected(
-    one: Kernel, driver: str, rest: Callable[[], tuple[Any, ...]], room: int, compiling: bool
+    one: Kernel, driver: str, rest: Callable[[], Any], room: int, stop: Stop | None, compiling: bool
 ) -> NDArray[Any]:
     """What a driver collects, (n, k), given the ``rest`` of its arguments; run again where it had no room."""
     arity = one.lowered.arity
     dtype: Any = np.int64 if one.emits in ("pixels", "spans") else np.float64
+    stop = stop or Stop()
     while True:
-        values = np.zeros(room * arity, dtype)
-        count = np.zeros(1, np.int64)
-        one.call(driver, (values, count, *rest()), compiling)
+        values, count = np.zeros(room * arity, dtype), np.zeros(1, np.int64)
+        one.call(driver, (values, count, stop.flag, *rest()), compiling, stop)
         if count[0] <= room:
             found = values[: count[0] * arity].reshape(-1, arity)
             return found if 2 * count[0] > room else found.copy()
@@ -293,7 +294,6 @@ def paint(
     value: Any,
     *args: Any,
     emits: Emits | None = None,
-    stop: Stop | None = None,
     compiling: bool = True,
     flavour: str = "",
 ) -> None:
@@ -310,7 +310,7 @@ def paint(
     one = kernel(function, emits, flavour)
     values = arguments.bind(function, args, False)
     if one.writes or (arguments.entry_of(function) is None and arguments.among(image, args)):
-        one.call("_run", ((stop or Stop()).flag, *values), compiling)
+        one.call("_run", values, compiling)
         for given, formed in zip(args, values, strict=False):
             if isinstance(given, np.ndarray) and given is not formed and given.flags.writeable:
                 given[...] = formed
@@ -355,8 +355,8 @@ def paint_many(
     _paintable(one)
     table = arguments.table(function, rows)
     picture = _picture(image)
-    flag = (stop or Stop()).flag
-    one.call("_paint_many", (picture, picture.dtype.type(value), flag, table), compiling)
+    stop = stop or Stop()
+    one.call("_paint_many", (picture, picture.dtype.type(value), stop.flag, table), compiling, stop)
     if picture is not image:
         image[...] = picture
 
@@ -375,13 +375,13 @@ def hits(
     one = kernel(function, emits, flavour)
     if one.emits not in ("pixels", "coverage", "spans", "fragments"):
         raise ValueError(_("{name} emits no pixels").format(name=one.lowered.name))
-    flag = stop or Stop()
+    stop = stop or Stop()
     room = 1024
     while True:
         numbers = np.zeros(room, np.int64)
         count, found = np.zeros(1, np.int64), np.zeros(1, np.int64)
         values = arguments.bind(function, args, True)
-        one.call("_hits", (int(x), int(y), numbers, count, found, flag.flag, *values), compiling)
+        one.call("_hits", (int(x), int(y), numbers, count, found, stop.flag, *values), compiling, stop)
         if found[0] <= room:
             return numbers[: found[0]].copy()
         room = int(found[0])

@@ -96,6 +96,6 @@ def _run(
     visits = np.zeros(len(one.lowered.titles), np.int64)
     emitted = np.zeros(1, np.int64)
     values = arguments.bind(one.function, args, True)
-    sink = (runs, visits, slot_blocks(one), emitted, (stop or Stop()).flag)
-    one.call("_count", (*sink, *values), compiling)
+    stop = stop or Stop()
+    one.call("_count", (runs, visits, slot_blocks(one), emitted, stop.flag, *values), compiling, stop)
     return runs, visits, int(emitted[0])

@@ -23,6 +23,10 @@ class DialectError(ValueError):
         self.sentence = sentence
 
 
+class NotCompilable(ValueError):  # noqa: N818 - says what the text is, as DialectError does
+    """The compiler refuses a text; the message has its words."""
+
+
 @dataclass(frozen=True, slots=True)
 class Refusal:
     """One place that is outside the dialect: line of the text given (from 1) and what to write instead."""

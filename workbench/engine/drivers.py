@@ -17,16 +17,16 @@ def _collect(_values, _count, _stop, {arguments}):
     {name}(Collect(_values, _count, _stop), {arguments})
 
 @driver
-def _run(_stop, {arguments}):
-    {name}(Nothing(_stop), {arguments})
+def _run({arguments}):
+    {name}(Nothing(), {arguments})
 """
 
 _COLLECT_MANY = """
 @driver
-def _collect_many(_values, _count, _ends, _stop, _rows):
+def _collect_many(_values, _count, _stop, _ends, _rows):
     for row in range(len(_rows)):
         if _stop[0] != 0:
-            raise Stopped
+            return
         {name}(Collect(_values, _count, _stop), {columns})
         _ends[row] = _count[0]
 """
@@ -66,7 +66,7 @@ _PAINT_MANY = """
 def _paint_many(_image, _value, _stop, _rows):
     for row in range(len(_rows)):
         if _stop[0] != 0:
-            raise Stopped
+            return
         _paint(_image, _value, {columns})
 """
 
@@ -122,7 +122,7 @@ def drivers(
     """
     arguments = ", ".join(parameter for parameter, _kind in parameters)
     columns = ", ".join(_column(k, kind) for k, (_n, kind) in enumerate(parameters))
-    used = ["Collect", "Nothing", "Stopped"]
+    used = ["Collect", "Nothing"]
 
     def filled(template: str, **further: str) -> str:
         return template.format(name=name, painter=painter, arguments=arguments, columns=columns, **further)

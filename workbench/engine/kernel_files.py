@@ -32,9 +32,8 @@ from workbench.engine.ownership import owned, sealed
 from workbench.language import _
 
 _PRIVATE = "graphics-workbench-kernels-"
-_ENGINE = (
-    *("arguments.py", "choices.py", "compiled.py", "overloads.py", "places.py", "processor.py", "sinks.py"),
-    "stopping.py",
+_ENGINE = tuple(
+    f"{name}.py" for name in ("arguments", "choices", "compiled", "overloads", "places", "processor", "sinks")
 )
 
 

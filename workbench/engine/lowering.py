@@ -1,8 +1,9 @@
 """The only rewriter: from the text that is shown to one that emits into a sink.
 
 ``yield a, b`` becomes ``emit(_sink, a, b)`` and ``yield from f(x)`` becomes ``f(_sink, x)``; see also
-``places``, ``choices``, ``empty_lists`` and ``reading_items``. Nothing else of what runs is touched. All that
-the function calls is found by its global name and written, callees first, into one text that stands alone.
+``places``, ``choices``, ``empty_lists``, ``reading_items`` and ``ways_out``. Nothing else of what runs is
+touched. All that the function calls is found by its global name and written, callees first, into one text
+that stands alone.
 
 Two variants add to that. The *counting* text ticks before statements, with the number of their slot, and so
 finds the runs of each line and the visits of each titled block exactly as a tracer would. The *probing* text
@@ -21,13 +22,14 @@ from typing import Any, Literal
 import numpy as np
 
 from workbench.engine.blocks import blocks
-from workbench.engine.choices import CHOSEN, bounded, choices
+from workbench.engine.choices import bounded, choices
 from workbench.engine.empty_lists import is_empty_list, typed_empty_list
+from workbench.engine.module_text import literal, module_text
 from workbench.engine.operations import Operations
-from workbench.engine.parsing import parse_expression
-from workbench.engine.places import BESIDE, PLACE, counted_up, met, unsigned
+from workbench.engine.places import counted_up, met, unsigned
 from workbench.engine.reading_items import item_read
 from workbench.engine.texts import SINK, VISIT, Text, arity, bound_names, gather, parameters, parse, recursive
+from workbench.engine.ways_out import WayOut, ways_out
 from workbench.language import _
 
 Variant = Literal["plain", "counting", "probing"]
@@ -88,17 +90,18 @@ def lower(
     texts = gather(function, probed, painter)
     slots: list[Slot] = []
     titles: list[str] = []
-    functions = []
-    if variant == "plain":
-        sinks = {text.function for text in texts if text.generator}
-        trees = {text.function: text.tree for text in texts}
-        functions = [_Rewriter(text, sinks, trees).rewritten() for text in texts]
-    else:
-        sinks = {text.function for text in texts}
-        functions = [_Ticking(text, sinks, slots, titles).rewritten() for text in texts]
+    plain = variant == "plain"
+    trees = {text.function: text.tree for text in texts}
+    sinks = {text.function for text in texts if text.generator or not plain}
+    ways = ways_out(texts, sinks)
+    functions = [
+        _Rewriter(text, sinks, ways, trees) if plain else _Ticking(text, sinks, ways, slots, titles)
+        for text in texts
+    ]
+    written = [ast.unparse(function.rewritten()) for function in functions]
     return Lowered(
         name=function.__name__,
-        text=_module(texts, functions, inlined=variant == "plain" and not recursive(texts)),
+        text=module_text(texts, written, inlined=plain and not recursive(texts)),
         names=tuple(text.name for text in texts),
         sources=tuple(text.source for text in texts),
         arity=arity(texts),
@@ -116,11 +119,16 @@ class _Rewriter(ast.NodeTransformer):
     """Rewrites one function; ``sinks`` take a sink first, ``helpers`` may be written in their place."""
 
     def __init__(
-        self, text: Text, sinks: set[FunctionType], helpers: Mapping[FunctionType, ast.FunctionDef]
+        self,
+        text: Text,
+        sinks: set[FunctionType],
+        ways: Mapping[FunctionType, str],
+        helpers: Mapping[FunctionType, ast.FunctionDef],
     ) -> None:
         self.text = text
         self.sinks = sinks
         self.helpers = helpers
+        self.out = WayOut(text.function, ways)
         self.bound = bound_names(text.tree)
         own_names = {*text.callees, *text.constants}
         self.counted = counted_up(text.tree, own_names)
@@ -133,10 +141,10 @@ class _Rewriter(ast.NodeTransformer):
         for argument in parameters(tree):
             argument.annotation = None
         function = self.text.function
-        tree.args.defaults = [_literal(value) for value in function.__defaults__ or ()]
+        tree.args.defaults = [literal(value) for value in function.__defaults__ or ()]
         named = function.__kwdefaults__ or {}
         tree.args.kw_defaults = [
-            _literal(named[argument.arg]) if argument.arg in named else None
+            literal(named[argument.arg]) if argument.arg in named else None
             for argument in tree.args.kwonlyargs
         ]
         if self.text.function in self.sinks:
@@ -148,7 +156,12 @@ class _Rewriter(ast.NodeTransformer):
 
     def body(self, statements: list[ast.stmt]) -> list[ast.stmt]:
         """The body of the whole function."""
-        return [self.visit(statement) for statement in statements] or [ast.Pass()]
+        return [each for statement in statements for each in self.visit(statement)] or [ast.Pass()]
+
+    def visit(self, node: ast.AST) -> Any:
+        """What is written for an expression, or the list of what is written for a statement."""
+        written = super().visit(node)
+        return self.out.after(written) if isinstance(node, ast.stmt) else written
 
     def visit_Expr(self, node: ast.Expr) -> ast.stmt:
         if isinstance(node.value, ast.Yield) and node.value.value is not None:
@@ -197,7 +210,7 @@ class _Rewriter(ast.NodeTransformer):
         written = choices(node, self.within)
         if written is None:
             return self.generic_visit(node)  # type: ignore[return-value]
-        return [self.visit(each) for each in written]
+        return [each for statement in written for each in self.visit(statement)]
 
     def visit_AnnAssign(self, node: ast.AnnAssign) -> ast.stmt:
         if node.value is None:
@@ -237,8 +250,15 @@ def _after(loop: ast.For | ast.While) -> int:
 class _Ticking(_Rewriter):
     """Adds the ticks and probes. ``slots`` and ``titles`` are those of the whole text, and grow here."""
 
-    def __init__(self, text: Text, sinks: set[FunctionType], slots: list[Slot], titles: list[str]) -> None:
-        super().__init__(text, sinks, {})
+    def __init__(
+        self,
+        text: Text,
+        sinks: set[FunctionType],
+        ways: Mapping[FunctionType, str],
+        slots: list[Slot],
+        titles: list[str],
+    ) -> None:
+        super().__init__(text, sinks, ways, {})
         self.slots = slots
         self.of_line: dict[int, int] = {}
         self.probed: list[tuple[int, int, tuple[ast.expr, ...]]] = []
@@ -268,7 +288,7 @@ class _Ticking(_Rewriter):
             case ast.If():
                 tick = self._tick(node, node.test)
                 body, other = self._suite(node.body, again), self._suite(node.orelse, again)
-                return [*tick, ast.If(self.visit(node.test), body, other)]
+                return [*tick, *self.out.after(ast.If(self.visit(node.test), body, other))]
             case ast.While():
                 # The header runs before each turn, so the test moves inside
                 self.open = -1
@@ -278,7 +298,8 @@ class _Ticking(_Rewriter):
                 test = ast.If(ast.UnaryOp(ast.Not(), self.visit(node.test)), leave, [])
                 body = self._suite(node.body, lambda line: self._probes(line, block))
                 last = self._probes(_after(node), block)
-                return [ast.While(ast.Constant(True), [*tick, test, *body, *last], [])]
+                out = self.out.taken()
+                return [ast.While(ast.Constant(True), [*tick, *out, test, *body, *last], []), *out]
             case ast.For():
                 tick = self._tick(node, node.target, node.iter)
                 block = self.slots[self.open].block
@@ -287,7 +308,8 @@ class _Ticking(_Rewriter):
                 body = self._suite(node.body, lambda line: self._mark(number, line))
                 last = self._mark(number, _after(node))
                 other = self._suite(node.orelse, again)
-                return [*tick, ast.For(self.visit(node.target), self.visit(node.iter), [*body, *last], other)]
+                turn = [*self.out.taken(), *body, *last]
+                return [*tick, ast.For(self.visit(node.target), self.visit(node.iter), turn, other)]
             case ast.Match():
                 tick = self._tick(node, node.subject)
                 for case in node.cases:
@@ -295,12 +317,12 @@ class _Ticking(_Rewriter):
                 node.subject = self.visit(node.subject)
                 return [*tick, node]
             case ast.Return():
-                return [*self._tick(node, node), *self._probes(node.lineno), self.visit(node)]
+                return [*self._tick(node, node), *self._probes(node.lineno), *self.visit(node)]
             case ast.Continue():
                 return [*self._tick(node), *again(node.lineno), node]
             case ast.AnnAssign(value=None):
                 return []
-        return [*self._tick(node, node), self.visit(node)]
+        return [*self._tick(node, node), *self.visit(node)]
 
     def _tick(self, node: ast.stmt, *expressions: ast.AST) -> list[ast.stmt]:
         """The lines that note that ``node`` runs: none where the slot before it runs as often."""
@@ -329,71 +351,3 @@ class _Ticking(_Rewriter):
                 test = ast.Compare(ast.Name(VISIT, ast.Load()), [ast.Eq()], [ast.Constant(number)])
                 found.append(ast.If(test, [ast.Expr(call) for call in asked], []))
         return found
-
-
-def _module(texts: list[Text], functions: list[ast.FunctionDef], inlined: bool) -> str:
-    """The whole module: imports, constants, functions, callees first; ``@part`` asks for inlining."""
-    names: dict[str, str] = {}
-    for text in texts:
-        for name, value in text.constants.items():
-            line = _binding(text, name, value)
-            if names.setdefault(name, line) != line:
-                raise text.error(
-                    _("{name} means two things in the functions called; rename one").format(name=name)
-                )
-    imports = sorted(line for line in names.values() if line.startswith(("import ", "from ")))
-    literals = sorted(set(names.values()) - set(imports))
-    if any(" = numpy.array(" in line for line in literals):
-        imports.insert(0, "import numpy")
-    sinks = "from workbench.engine.sinks import emit, probe, tick"
-    own = [
-        f"from numpy import uint64 as {PLACE}",
-        f"from workbench.engine.places import beside as {BESIDE}",
-        f"from workbench.engine.choices import chosen as {CHOSEN}",
-    ]
-    head = "\n".join([*own, sinks, *imports, *literals])
-    marks = ["@part\n" if inlined and _worth_inlining(text) else "@reading\n" for text in texts[:-1]]
-    marks.append("@reading\n")
-    written = [mark + ast.unparse(function) for mark, function in zip(marks, functions, strict=True)]
-    return "\n\n".join([head, *written]) + "\n"
-
-
-def _worth_inlining(text: Text) -> bool:
-    """Whether a function goes into the one that calls it: when it emits, or calls none of the texts itself.
-
-    Anything more would take registers from the caller's loops, and be compiled again with each driver.
-    """
-    return text.generator or not text.callees
-
-
-def _literal(value: Any) -> ast.expr:
-    return parse_expression(repr(value))
-
-
-def _binding(text: Text, name: str, value: Any) -> str:
-    """The line that gives ``name`` its value in the new module."""
-    if isinstance(value, ModuleType):
-        return f"import {value.__name__} as {name}"
-    if isinstance(value, np.ndarray):
-        return f"{name} = numpy.array({value.tolist()!r}, dtype='{value.dtype}')"
-    if isinstance(value, np.generic):
-        value = value.item()
-    if isinstance(value, type) and issubclass(value, tuple) and hasattr(value, "_fields"):
-        if value.__module__ == "__main__" or "<" in value.__qualname__:
-            raise text.error(_("the record {name} must be at the top level of a file").format(name=name))
-        defaults = [repr(each) for each in getattr(value, "_field_defaults", {}).values() if _plain(each)]
-        fields = " ".join([*value._fields, *defaults])
-        return f"from {value.__module__} import {value.__name__} as {name}  # {fields}"
-    if inspect.isbuiltin(value) and getattr(value, "__module__", "") == "math":
-        return f"from math import {value.__name__} as {name}"
-    if isinstance(value, float) and not math.isfinite(value):
-        return f"{name} = float({str(value)!r})"
-    if _plain(value):
-        return f"{name} = {value!r}"
-    raise text.error(_("{name} is not a number, a tuple, an array or a record").format(name=name))
-
-
-def _plain(value: Any) -> bool:
-    if type(value) is tuple:
-        return all(_plain(item) for item in value)
-    return value is None or isinstance(value, bool | int | float | str)

@@ -16,6 +16,12 @@ def register(numba: Any) -> None:
     def _emit(sink: Any, *values: Any) -> Any:
         return sinks.body(sink.instance_class, len(values))
 
+    @extending.overload(sinks.stopped, strict=False)
+    def _stopped(sink: Any) -> Any:
+        if sink.instance_class in sinks.STOPPABLE:
+            return lambda sink: sink.stop[0] != 0
+        return lambda sink: False
+
     @extending.overload(sinks.tick, strict=False)
     def _tick(sink: Any, slot: Any, block: Any) -> Any:
         return sinks.TICKS[sink.instance_class]

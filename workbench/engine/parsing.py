@@ -20,3 +20,9 @@ def parse_expression(source: str) -> ast.expr:
     """The tree of one expression. Raises SyntaxError."""
     with _one_at_a_time:
         return ast.parse(source, mode="eval").body
+
+
+def parse_statement(source: str) -> ast.stmt:
+    """The tree of one statement. Raises SyntaxError."""
+    (statement,) = parse_module(source).body
+    return statement

@@ -2,7 +2,8 @@
 
 ``emit(sink, *values)`` runs the body of the sink's type, here as plain Python, compiled as the overload
 that ``compiled`` makes of it. Coordinates are integers in device pixels, pictures are (h, w) arrays.
-Every sink that may see a long run looks at ``stop`` and raises ``Stopped``.
+A sink that may see a long run has a ``stop``. Where ``stopped`` says that it was set, a lowered text returns,
+function by function: numba lets go of nothing that a function holds when an exception leaves it.
 """
 
 from collections.abc import Callable
@@ -11,13 +12,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from workbench.engine.stopping import Stopped
-
 
 class Nothing(NamedTuple):
     """For a text that writes its picture itself."""
-
-    stop: NDArray[np.uint8]
 
 
 class Collect(NamedTuple):
@@ -168,8 +165,6 @@ def _nothing(sink: Nothing, *values: Any) -> None:
 
 def room(sink: Collect, arity: int) -> int:
     """Index at which the next tuple goes, -1 when it is full; counts the tuple."""
-    if sink.stop[0] != 0:
-        raise Stopped
     start = sink.emitted[0] * arity
     sink.emitted[0] += 1
     return start if start + arity <= len(sink.values) else -1
@@ -283,8 +278,6 @@ def _paint_figure_span(sink: PaintFigureSpans, *values: Any) -> None:
 
 
 def _hit(sink: Hit, *values: Any) -> None:
-    if sink.stop[0] != 0:
-        raise Stopped
     if values[0] == sink.x and values[1] == sink.y:
         if sink.found[0] < len(sink.numbers):
             sink.numbers[sink.found[0]] = sink.emitted[0]
@@ -293,8 +286,6 @@ def _hit(sink: Hit, *values: Any) -> None:
 
 
 def _hit_span(sink: HitSpan, *values: Any) -> None:
-    if sink.stop[0] != 0:
-        raise Stopped
     if values[0] == sink.y and values[1] <= sink.x <= values[2]:
         if sink.found[0] < len(sink.numbers):
             sink.numbers[sink.found[0]] = sink.emitted[0]
@@ -329,8 +320,6 @@ def _probe_span(sink: ProbePixel | ProbeSpan, *values: Any) -> None:
 
 
 def _tick_count(sink: Count, slot: int, block: int) -> int:
-    if sink.stop[0] != 0:
-        raise Stopped
     sink.runs[slot] += 1
     here: int = sink.blocks[slot]
     if here >= 0 and here != block:
@@ -339,8 +328,6 @@ def _tick_count(sink: Count, slot: int, block: int) -> int:
 
 
 def _tick_probe(sink: ProbePixel | ProbeSpan, slot: int, block: int) -> int:
-    if sink.stop[0] != 0:
-        raise Stopped
     here: int = sink.blocks[slot]
     if here >= 0 and here != block and sink.rows[here]:
         sink.steps[0] += 1
@@ -348,6 +335,14 @@ def _tick_probe(sink: ProbePixel | ProbeSpan, slot: int, block: int) -> int:
 
 
 TICKS: dict[type, Callable[..., int]] = {Count: _tick_count, ProbePixel: _tick_probe, ProbeSpan: _tick_probe}
+
+
+STOPPABLE = {Collect, Hit, HitSpan, Count, ProbePixel, ProbeSpan}
+
+
+def stopped(sink: Any) -> bool:
+    """Whether the run that this sink sees was stopped."""
+    return type(sink) in STOPPABLE and sink.stop[0] != 0
 
 
 def tick(sink: Any, slot: int, block: int) -> int:

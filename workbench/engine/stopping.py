@@ -9,7 +9,7 @@ class Stopped(Exception):  # noqa: N818 - a run that was stopped has made no err
 
 
 class Stop:
-    """Ends a long run from another thread: the run raises ``Stopped`` at its next emission."""
+    """Ends a long run from another thread: it returns at its next emission, and ``Stopped`` is raised."""
 
     def __init__(self) -> None:
         self.flag: NDArray[np.uint8] = np.zeros(1, np.uint8)
@@ -22,3 +22,8 @@ class Stop:
     def is_set(self) -> bool:
         """Whether it was set."""
         return bool(self.flag[0])
+
+    def check(self) -> None:
+        """Raises: Stopped, where it was set."""
+        if self.is_set:
+            raise Stopped

@@ -16,19 +16,21 @@ from workbench.engine.dialect import DialectError, refusals
 from workbench.engine.empty_lists import empty_lists, records_in
 from workbench.engine.parsing import parse_expression, parse_module
 from workbench.engine.places import BESIDE, PLACE
-from workbench.engine.stopping import Stopped
 from workbench.language import _
 
 # Names that the rewritten text brings with it.
-SINK, VISIT = "_sink", "_visit"
+SINK, STOPPED, VISIT = "_sink", "_stopped", "_visit"
 ENTER, READING, LEAVE = "_enter", "_reading", "_leave"
-RESERVED = {SINK, VISIT, PLACE, BESIDE, CHOSEN, TAKEN, ENTER, READING, LEAVE, "emit", "tick", "probe"}
+RESERVED = {
+    *(SINK, STOPPED, VISIT, PLACE, BESIDE, CHOSEN, TAKEN, ENTER, READING, LEAVE),
+    *("emit", "tick", "probe"),
+}
 
 # Names at the top of its module: decorators, the drivers behind it, and the sinks that those hand over.
 DECORATORS = {"driver", "part", "reading"}
 DRIVEN = {
     *("_collect", "_collect_many", "_run", "_painted", "_extent", "_paint", "_paint_many", "_paint_batch"),
-    *("_hits", "_count", "_probe", Stopped.__name__),
+    *("_hits", "_count", "_probe"),
     *(name for name, value in vars(sinks).items() if hasattr(value, "_fields")),
 }
 

@@ -43,13 +43,13 @@ def touches(
     one = kernel(function, emits, flavour, "probing")
     entry = arguments.entry_of(function)
     rows = np.zeros(len(one.lowered.titles), bool) if entry is None else step_blocks(entry, one)
-    room = 256
+    stop, room = stop or Stop(), 256
     while True:
         kept = np.zeros((room, 3), np.int64)
         found, steps, emitted = np.zeros(1, np.int64), np.zeros(1, np.int64), np.zeros(1, np.int64)
         values = arguments.bind(function, args, True)
-        sink = (int(x), int(y), kept, found, rows, slot_blocks(one), steps, emitted, (stop or Stop()).flag)
-        one.call("_probe", (*sink, *values), compiling)
+        sink = (int(x), int(y), kept, found, rows, slot_blocks(one), steps, emitted, stop.flag)
+        one.call("_probe", (*sink, *values), compiling, stop)
         if found[0] <= room:
             return tuple(StepTouch(bool(a), int(b), int(c)) for a, b, c in kept[: found[0]])
         room = int(found[0])

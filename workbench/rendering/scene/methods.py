@@ -76,7 +76,9 @@ def surfaces_seen(
     numbers = np.arange(1, len(triangles) + 1)
     call = method_call(method, corners, triangles, numbers, size)
     image: NDArray[Any] = call.arguments[0]
-    paint(call.entry.function, image, 0, *call.arguments, stop=stop, compiling=compiling)
+    paint(call.entry.function, image, 0, *call.arguments, compiling=compiling)
+    if stop is not None:
+        stop.check()
     return image.astype(np.int64) - 1
 
 

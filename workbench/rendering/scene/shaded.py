@@ -131,7 +131,7 @@ def _channel(
 
     def shade(low: int, high: int) -> None:
         given = light[low:high], vertices - (0.0, low, 0.0), *rest, depth[low:high]
-        paint(call.entry.function, unused, 0, *given, stop=stop)
+        paint(call.entry.function, unused, 0, *given)
 
     in_bands(size[1], shade, stop)
     return light, depth
