@@ -66,12 +66,12 @@ class WorkspaceBar(QFrame):
         """Put commands with their icons at the right end."""
         from PySide6.QtCore import QSize
 
+        from workbench.widgets.look.action_button import ActionButton
         from workbench.widgets.look.icons import set_icon
 
         for action, name in actions:
-            button = QToolButton(self)
             set_icon(action, name)
-            button.setDefaultAction(action)
+            button = ActionButton(action, self)
             button.setAccessibleName(action.text())
             button.setIconSize(QSize(20, 20))
             self._row.addWidget(button)

@@ -13,7 +13,6 @@ from PySide6.QtWidgets import (
     QListWidgetItem,
     QMenu,
     QPushButton,
-    QToolButton,
     QVBoxLayout,
     QWidget,
 )
@@ -25,6 +24,7 @@ from workbench.document.scene.looking import kind_of, kinds
 from workbench.document.scene.model import Camera, NamedView, Scene
 from workbench.language import _, legible
 from workbench.panels.space.looking import Looking
+from workbench.widgets.look.action_button import ActionButton
 from workbench.widgets.look.empty_view import EmptyView
 from workbench.widgets.look.icons import set_icon
 
@@ -67,8 +67,7 @@ class NamedViewsDock(QWidget):
         self.add = QPushButton(self.keep.text())
         self.add.setToolTip(self.empty.button.toolTip())
         self.add.clicked.connect(self.name_view)
-        self.bin = QToolButton()
-        self.bin.setDefaultAction(self.remove)
+        self.bin = ActionButton(self.remove)
         self.bin.setAccessibleName(self.remove.text())
         self._row = QWidget()
         row = QHBoxLayout(self._row)

@@ -9,6 +9,7 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QFrame, QMenu, QToolButton, QVBoxLayout, QWidget
 
 from workbench.language import _
+from workbench.widgets.look.action_button import ActionButton
 from workbench.widgets.look.icons import set_icon
 
 _BAR_PX, _BUTTON_PX = 44, 32
@@ -78,7 +79,7 @@ class ViewTools(QFrame):
         column.setContentsMargins(6, 4, 6, 4)
         column.setSpacing(2)
         self.menu = QMenu(self)
-        self.look_from = self._button(column)
+        self.look_from = self._added(column, QToolButton())
         set_icon(self.look_from, "compass")
         words = _("Look from a side, and keep or recall a view")
         self.look_from.setToolTip(words)
@@ -89,9 +90,7 @@ class ViewTools(QFrame):
             action = self._action(tool, parent)
             if tool.icon:
                 set_icon(action, tool.icon)
-                button = self._button(column)
-                button.setDefaultAction(action)
-                button.setAccessibleName(tool.title)
+                self._added(column, ActionButton(action)).setAccessibleName(tool.title)
             else:
                 self.menu.addAction(action)
         column.addStretch(1)
@@ -104,8 +103,7 @@ class ViewTools(QFrame):
         self.actions_by_name.update((action.objectName().partition(".")[2], action) for action in commands)
 
     @staticmethod
-    def _button(column: QVBoxLayout) -> QToolButton:
-        button = QToolButton()
+    def _added(column: QVBoxLayout, button: QToolButton) -> QToolButton:
         button.setFixedSize(_BUTTON_PX, _BUTTON_PX)
         column.addWidget(button)
         return button

@@ -22,6 +22,7 @@ from workbench.panels.stage.tools import FigureTool, SelectTool
 from workbench.rendering import device_map
 from workbench.session.session import Session
 from workbench.widgets.canvas.pixel_canvas import PixelCanvas
+from workbench.widgets.look.action_button import ActionButton
 from workbench.widgets.look.plain_keys import is_plain
 from workbench.widgets.look.tokens import theme_changed
 
@@ -146,8 +147,7 @@ class FigurePanel(ChosenFigures, QWidget):
         return Said(self.hover_text, self.zoom_text)
 
     def _button(self, action: QAction) -> QToolButton:
-        button = QToolButton()
-        button.setDefaultAction(action)
+        button = ActionButton(action)
         button.setFixedSize(32, 32)
         button.setAccessibleName(action.text())
         return button

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from functools import partial
 
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from workbench.document.fields import numbers_of
 from workbench.document.transforms.links import Rotate, Scale, Shear, Translate
@@ -12,6 +12,7 @@ from workbench.geometry.transform_box import Point
 from workbench.language import _
 from workbench.panels.stage.boxing import Boxing
 from workbench.widgets.fields.number_field import NumberField
+from workbench.widgets.look.action_button import ActionButton
 
 _ROWS = (
     ("move", Translate, ("tx", "ty"), 0.0, 1.0),
@@ -72,8 +73,7 @@ class TransformForm(QWidget):
         """Let the numbers do what they say; ``actions`` have a button each under them."""
         self._boxing = boxing
         for action in actions:
-            button = QToolButton()
-            button.setDefaultAction(action)
+            button = ActionButton(action)
             button.setFixedSize(32, 28)
             button.setAccessibleName(action.text())
             self._buttons.addWidget(button)

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QFrame, QToolButton, QVBoxLayout
 from workbench.language import _
 from workbench.panels.stage.actions import PanelCommand
 from workbench.panels.viewing.gestures import tools
+from workbench.widgets.look.action_button import ActionButton
 from workbench.widgets.look.icons import set_icon
 
 if TYPE_CHECKING:
@@ -63,8 +64,7 @@ def _action(panel: "ViewingPanel", row: PanelCommand) -> QAction:
 
 
 def _button(action: QAction) -> QToolButton:
-    button = QToolButton()
-    button.setDefaultAction(action)
+    button = ActionButton(action)
     button.setFixedSize(32, 32)
     button.setAccessibleName(action.text())
     return button

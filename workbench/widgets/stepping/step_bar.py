@@ -10,6 +10,7 @@ from workbench.language import _
 from workbench.session.run import SPEEDS, Run
 from workbench.widgets.fields.number_field import EntryLine
 from workbench.widgets.fields.option_buttons import OptionButtons
+from workbench.widgets.look.action_button import ActionButton
 from workbench.widgets.look.icons import set_icon
 from workbench.widgets.look.type_faces import code_font
 from workbench.widgets.stepping.sentence_view import SentenceView
@@ -120,8 +121,7 @@ class StepBar(QWidget):
         return action
 
     def _button(self, action: QAction, words: bool = False) -> QToolButton:
-        button = QToolButton()
-        button.setDefaultAction(action)
+        button = ActionButton(action)
         style = Qt.ToolButtonStyle
         button.setToolButtonStyle(style.ToolButtonTextOnly if words else style.ToolButtonIconOnly)
         button.setAccessibleName(action.text())

@@ -12,6 +12,7 @@ from workbench.language import _
 from workbench.session.frames import Frames, Mode
 from workbench.session.session import Session
 from workbench.widgets.fields.number_field import EntryLine
+from workbench.widgets.look.action_button import ActionButton
 from workbench.widgets.look.icons import set_icon
 from workbench.widgets.look.type_faces import code_font
 
@@ -156,8 +157,7 @@ class Transport(QWidget):
             row.addWidget(button)
 
     def _button(self, action: QAction, words: bool = False) -> QToolButton:
-        button = QToolButton()
-        button.setDefaultAction(action)
+        button = ActionButton(action)
         style = Qt.ToolButtonStyle
         button.setToolButtonStyle(style.ToolButtonTextBesideIcon if words else style.ToolButtonIconOnly)
         button.setAccessibleName(action.text())

@@ -14,6 +14,7 @@ from workbench.panels.display.raster.buffer_dock import depth_title
 from workbench.panels.display.raster.setting import RasterSetting
 from workbench.panels.stage.folding_card import fill_choices
 from workbench.rendering.subjects.raster import SHEET, TYPED, depth_of, typed
+from workbench.widgets.look.action_button import ActionButton
 from workbench.widgets.look.flow_layout import flowing
 from workbench.widgets.look.tips import tell_choice
 
@@ -75,8 +76,7 @@ class RasterBar(QWidget):
         return box
 
     def _button(self, action: QAction) -> None:
-        button = QToolButton()
-        button.setDefaultAction(action)
+        button = ActionButton(action)
         button.setIconSize(QSize(16, 16))
         button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         button.setAccessibleName(action.text())

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QTableView, QToolButton, QVBo
 
 from workbench.language import _
 from workbench.panels.display.vector.list_model import ListModel
+from workbench.widgets.look.action_button import ActionButton
 from workbench.widgets.look.icons import set_icon
 from workbench.widgets.look.type_faces import code_font
 from workbench.widgets.tables.table_columns import FittedColumns, WholeRows
@@ -87,8 +88,7 @@ class ListTable(QWidget):
 
     @staticmethod
     def _button(action: QAction) -> QToolButton:
-        button = QToolButton()
-        button.setDefaultAction(action)
+        button = ActionButton(action)
         button.setIconSize(QSize(16, 16))
         button.setAccessibleName(action.text())
         button.setFocusPolicy(Qt.FocusPolicy.TabFocus)

@@ -9,7 +9,6 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QPushButton,
     QSizePolicy,
-    QToolButton,
     QWidget,
 )
 
@@ -22,6 +21,7 @@ from workbench.rendering.scene.shading import LIT_SHADINGS
 from workbench.rendering.subjects.shading import model_of, shading_of
 from workbench.rendering.subjects.visibility import scene_size, size_of
 from workbench.session.session import Session
+from workbench.widgets.look.action_button import ActionButton
 from workbench.widgets.look.elided_label import ElidedLabel
 
 COLUMNS = (16, 24, 36, 48, 64, 96)
@@ -36,8 +36,7 @@ class ShadingBar(QWidget):
         self.method, self.size_box = QComboBox(), QComboBox()
         self.halfway, self.shadows = QCheckBox(_("N · H for V · R")), QCheckBox(_("Shadows"))
         self.keep = QPushButton(_("Keep this view"))
-        self.together = QToolButton()
-        self.together.setDefaultAction(together)
+        self.together = ActionButton(together)
         self.progress = ElidedLabel()
         self.progress.setProperty("role", "muted")
         for widget, name, tip in (
