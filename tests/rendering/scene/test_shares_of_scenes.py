@@ -9,15 +9,17 @@ from msgspec.structs import replace
 from tests.rendering.scene.test_shaded import SIZE, WINDOW, scene
 from workbench.document.model import Rectangle
 from workbench.document.scene.meshes import blob_of
-from workbench.document.scene.model import Light, Material, Object, Point3D, Scene
+from workbench.document.scene.model import Camera, Light, Material, Object, Point3D, Scene
 from workbench.document.scene.solids import Box, MeshSolid
 from workbench.geometry.meshes import Faces, Mesh, triangulated
 from workbench.rendering.scene import lit_triangles
 from workbench.rendering.scene.around import camera_around
+from workbench.rendering.scene.lasting import Lasting
 from workbench.rendering.scene.lit_triangles import AT_ONCE, lit_shares
 from workbench.rendering.scene.shaded import shaded
 from workbench.rendering.scene.shading import LIT_SHADINGS
 from workbench.rendering.scene.smoothing import MOST_AROUND, CornerNormals
+from workbench.rendering.scene.viewpoint import Viewpoint
 
 
 def hill(side: int) -> Mesh:
@@ -104,3 +106,24 @@ def test_where_very_many_faces_meet_they_are_not_all_held_against_each_other() -
     at_top = CornerNormals(cone, *triangulated(*cone)).of(0, count)[:, 2]
     outwards = np.stack([np.cos(angle + np.pi / count), np.sin(angle + np.pi / count)], axis=1)
     assert (at_top[:, :2] * outwards).sum(axis=1) == pytest.approx(np.sqrt(0.5), abs=1e-3)
+
+
+def test_what_the_near_plane_leaves_of_a_fine_mesh_takes_little_memory() -> None:
+    """As after an import, whose camera stands before the middle of the mesh."""
+    mesh = hill(200)
+    triangles, _owners = triangulated(*mesh)
+    camera = Camera(
+        eye=Point3D(100.0, 100.0, 60.0), look_at=Point3D(100.0, 100.0, 0.0), near=59.0, distance=60.0
+    )
+    viewpoint = Viewpoint.of(camera, SIZE, Rectangle(-100.0, -100.0, 100.0, 100.0), np.zeros((0, 3)))
+    box = Lasting(mesh).box
+    viewpoint.drawn(mesh.vertices, triangles, box)  # what is loaded for it
+    tracemalloc.start()
+    try:
+        drawn = viewpoint.drawn(mesh.vertices, triangles, box)
+        peak = tracemalloc.get_traced_memory()[1]
+    finally:
+        tracemalloc.stop()
+    assert drawn.owners is not None
+    assert 0 < len(drawn.triangles) < len(triangles)
+    assert peak < 100 * len(triangles)
