@@ -23,7 +23,7 @@ def blob_of(mesh: Mesh) -> Blob:
 def refuse_bytes(mesh: Mesh) -> None:
     """Raises: DocumentError, a sentence, where a mesh takes more bytes than a document keeps."""
     vertices, faces = mesh
-    size = bytes_of_counts(len(vertices), len(faces), len(faces.corners))
+    size = len(_HEAD) + _COUNTS + bytes_of_counts(len(vertices), len(faces), len(faces.corners))
     if size > MAX_BLOB_BYTES:
         sentence = _(
             "As a part of a picture the mesh takes {size:,} bytes, but at most {most:,} can be kept; choose "
@@ -33,8 +33,8 @@ def refuse_bytes(mesh: Mesh) -> None:
 
 
 def bytes_of_counts(vertices: int, faces: int, corners: int) -> int:
-    """How many bytes a mesh takes."""
-    return len(_HEAD) + _COUNTS + _VERTEX * vertices + _NUMBER * (faces + corners)
+    """How many bytes the numbers of a mesh take."""
+    return _VERTEX * vertices + _NUMBER * (faces + corners)
 
 
 def _bytes_of(mesh: Mesh) -> bytes:

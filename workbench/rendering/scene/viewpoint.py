@@ -115,17 +115,21 @@ class Viewpoint(NamedTuple):
 
 def _clipped(points: Array, triangles: Index, planes: Array) -> tuple[Array, Index, Index]:
     """As ``clip_triangles``, without what is too near the eye; of many triangles only those are copied more
-    than once that a plane may cut."""
-    outside = points[:, 3] <= LEAST_W
-    for plane in planes:
-        outside |= points @ plane < 0
-    asked = np.empty(len(triangles), bool)
+    than once that a plane cuts."""
+    outside = [points @ plane < 0 for plane in planes]
+    too_near = points[:, 3] <= LEAST_W
+    asked, gone = np.empty(len(triangles), bool), np.zeros(len(triangles), bool)
     for first in range(0, len(triangles), _AT_ONCE):
         share = slice(first, first + _AT_ONCE)
-        asked[share] = outside[triangles[share]].any(axis=1)
+        asked[share] = too_near[triangles[share]].any(axis=1)
+        for beyond in outside:
+            corners = beyond[triangles[share]]
+            asked[share] |= corners.any(axis=1)
+            gone[share] |= corners.all(axis=1)
+    asked &= ~gone
     points, cut, cut_owners = clip_triangles(points, triangles[asked], planes)
     good = (points[:, 3] > LEAST_W)[cut].all(axis=1)
-    counts = np.ones(len(triangles), np.int64)
+    counts = np.where(gone, 0, 1)
     counts[asked] = np.bincount(cut_owners[good], minlength=int(asked.sum()))
     owners = np.repeat(np.arange(len(triangles)), counts)
     parts = triangles[owners]
