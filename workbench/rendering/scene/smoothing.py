@@ -17,7 +17,7 @@ MOST_AROUND = 4_096
 
 _PLACES = 9
 _AT_ONCE = 1 << 14  # triangles: what is worked out on the way takes little memory
-_PAIRS = 1 << 18  # of a corner and a face around it
+_PAIRS = 1 << 16  # of a corner and a face around it
 
 Short = NDArray[np.int32]
 
