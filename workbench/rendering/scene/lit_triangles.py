@@ -13,7 +13,7 @@ from workbench.geometry.meshes import Array, Index
 from workbench.rendering.scene.render import Part, placed
 from workbench.rendering.scene.viewpoint import Size, Viewpoint
 
-AT_ONCE = 1 << 16
+AT_ONCE = 1 << 15
 """So many triangles of a scene are lit at a time: all of a fine mesh would take gigabytes."""
 
 
