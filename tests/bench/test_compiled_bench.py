@@ -222,7 +222,7 @@ def test_gouraud(benchmark: BenchmarkFixture, count: int, spread: float) -> None
         return np.frombuffer(screen.read(components=4), np.uint32).reshape(600, 800)
 
     def ours() -> NDArray[np.uint32]:
-        return gouraud_drawn(vertices, faces, channels, (800, 600))[0]
+        return gouraud_drawn(lambda: [(vertices, faces, channels)], (800, 600))[0]
 
     name = context.info["GL_RENDERER"]
     by_turns(benchmark, f"Gouraud, {count:,} triangles, two threads, peer {name}", ours, mesa=mesa)

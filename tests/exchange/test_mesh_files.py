@@ -241,7 +241,7 @@ def test_well_known_models_are_read_as_trimesh_reads_them(name: str) -> None:
     ("content", "suffix", "said"),
     [
         (b"", ".obj", "The file is empty; choose one with a mesh in it."),
-        (b" \n\t\n", ".off", "The file is empty"),
+        (b" \n\t\n", ".off", "holds nothing but blanks or zero bytes"),
         (b"v 1 2 3\n", ".obj", "The file has no face"),
         (b"Dear reader,\nthis is a letter.\n", ".obj", "The file has no face"),
         (bytes(range(256)) * 40, ".obj", "The file has no face"),

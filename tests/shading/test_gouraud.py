@@ -63,7 +63,7 @@ def test_the_pixels_are_those_of_the_depth_buffer() -> None:
 
 def assert_lit_as_the_text_does(vertices: Array, faces: Array, lights: Array, size: tuple[int, int]) -> None:
     """To one step of 255, with the same depths."""
-    image, depth = gouraud_drawn(vertices, faces, lights, size)
+    image, depth = gouraud_drawn(lambda: [(vertices, faces, lights)], size)
     for channel, shift in enumerate((16, 8, 0)):
         light, nearest = np.zeros(size[::-1]), np.ones(size[::-1])
         paint(gouraud, light, 0, light, vertices, faces, np.ascontiguousarray(lights[:, channel]), nearest)

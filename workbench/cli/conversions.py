@@ -183,7 +183,7 @@ def _from_mesh(source: Path, content: bytes, wanted: tuple[int, int] | None) -> 
     from workbench.exchange.mesh_reading import read_mesh
     from workbench.rendering.scene.around import camera_around, window_of
 
-    mesh, notes = read_mesh(content, source.suffix)
+    mesh, notes = read_mesh(content, source.suffix, to_keep=True)
     camera = camera_around(mesh.vertices)
     sides = wanted or (_LONGER_SIDE_PX, _LONGER_SIDE_PX * 3 // 4)
     document = _filled(source, _blank(window_of(camera, sides, mesh.vertices), sides), ())

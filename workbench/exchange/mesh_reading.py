@@ -4,13 +4,16 @@ What cannot be kept is left out and counted; a file is refused only where nothin
 """
 
 import codecs
+import re
 from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from workbench.document.scene.meshes import refuse_bytes
 from workbench.document.storage.content import Progress, silent
+from workbench.exchange.mesh_limits import Refuse, refuse_counts, refuse_unkept
 from workbench.geometry.meshes import Faces, Mesh, face_normals
 from workbench.language import _, ngettext
 
@@ -18,9 +21,9 @@ Array = NDArray[np.float64]
 Index = NDArray[np.int64]
 
 MOST_BYTES = 256 * 2**20
-MOST_VERTICES = MOST_FACES = 4_000_000
 MOST_CORNERS = 4_096  # of one face
 FARTHEST = 1e9
+_CONTENT = re.compile(rb"[^ \t\r\n\0]")  # searched for, as stripping would copy a file
 _TEXTS = (".obj", ".off", ".ply")  # a PLY begins as one even where it goes on as bytes
 
 
@@ -44,13 +47,21 @@ class ImportedMesh(NamedTuple):
     notes: tuple[str, ...]
 
 
-def read_mesh(content: bytes, suffix: str, progress: Progress = silent) -> ImportedMesh:
-    """The mesh in a file whose name ends in ``suffix``. Raises: ValueError with one sentence."""
+def read_mesh(
+    content: bytes, suffix: str, progress: Progress = silent, to_keep: bool = False
+) -> ImportedMesh:
+    """The mesh in a file whose name ends in ``suffix``, not larger than a document can keep if it is
+    ``to_keep``. Raises: ValueError with one sentence."""
     if suffix.lower() in _TEXTS:
         content = _unmarked(content)
-    if not content.strip(b" \t\r\n\0"):
+    if not content:
         raise ValueError(_("The file is empty; choose one with a mesh in it."))
-    return sound(_reader(suffix.lower())(content, progress))
+    if not _CONTENT.search(content):
+        raise ValueError(_("The file holds nothing but blanks or zero bytes; choose one with a mesh in it."))
+    read = sound(_reader(suffix.lower())(content, progress, refuse_unkept if to_keep else refuse_counts))
+    if to_keep:
+        refuse_bytes(read.mesh)
+    return read
 
 
 def _unmarked(content: bytes) -> bytes:
@@ -60,7 +71,7 @@ def _unmarked(content: bytes) -> bytes:
     return content.removeprefix(codecs.BOM_UTF8)
 
 
-def _reader(suffix: str) -> Callable[[bytes, Progress], Raw]:
+def _reader(suffix: str) -> Callable[[bytes, Progress, Refuse], Raw]:
     if suffix == ".obj":
         from workbench.exchange.obj_reading import read_obj
 
@@ -79,28 +90,6 @@ def _reader(suffix: str) -> Callable[[bytes, Progress], Raw]:
         return reader(suffix)
     sentence = _("A file that ends in {suffix} is not a mesh; choose .obj, .off, .ply, .stl or .glb.")
     raise ValueError(sentence.format(suffix=repr(suffix)))
-
-
-def refuse_counts(vertices: int, faces: int) -> None:
-    """Raises: ValueError where a mesh has more than can be worked with."""
-    if vertices > MOST_VERTICES or faces > MOST_FACES:
-        sentence = _(
-            "The mesh has {vertices} and {faces}, and at most {most:,} of each can be read; "
-            "choose a simpler one."
-        )
-        raise ValueError(
-            sentence.format(vertices=of_vertices(vertices), faces=of_faces(faces), most=MOST_FACES)
-        )
-
-
-def of_vertices(count: int) -> str:
-    """So many vertices, in words."""
-    return ngettext("{count:,} vertex", "{count:,} vertices", count).format(count=count)
-
-
-def of_faces(count: int) -> str:
-    """So many faces, in words."""
-    return ngettext("{count:,} face", "{count:,} faces", count).format(count=count)
 
 
 def sound(raw: Raw) -> ImportedMesh:

@@ -11,7 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.document.storage.content import Progress
-from workbench.exchange.mesh_reading import Raw, refuse_counts
+from workbench.exchange.mesh_limits import Refuse
+from workbench.exchange.mesh_reading import Raw
 from workbench.exchange.mesh_rows import rows_of, whole_numbers
 from workbench.geometry.meshes import Faces
 
@@ -23,8 +24,9 @@ _BEYOND_VERTEX = re.compile(rb"/\S*")
 _COMMENT = re.compile(rb"#[^\n]*")
 
 
-def read_obj(content: bytes, progress: Progress) -> Raw:
-    """What an OBJ says."""
+def read_obj(content: bytes, progress: Progress, refuse: Refuse) -> Raw:
+    """What an OBJ says. Raises: ValueError, by ``refuse``."""
+    refuse(content.count(b"\nv "), content.count(b"\nf "))  # at once, but for what few write otherwise
     vertices: list[Array] = []
     corners: list[Index] = []
     sizes: list[Index] = []
@@ -44,7 +46,7 @@ def read_obj(content: bytes, progress: Progress) -> Raw:
             sizes.append(some)
             unread, faces = unread + bad, faces + len(some)
         before += len(of_vertices)
-        refuse_counts(before, faces)
+        refuse(before, faces)
         progress(share)
     every = np.concatenate(corners or [np.zeros(0, np.int64)])
     ends = np.cumsum(np.concatenate(sizes or [np.zeros(0, np.int64)]))

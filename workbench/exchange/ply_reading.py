@@ -7,7 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.document.storage.content import Progress
-from workbench.exchange.mesh_reading import Raw, refuse_counts
+from workbench.exchange.mesh_limits import MOST_FACES, Refuse
+from workbench.exchange.mesh_reading import Raw
 from workbench.exchange.mesh_rows import numbers_of, whole_numbers
 from workbench.geometry.meshes import Faces
 from workbench.language import _, ngettext
@@ -25,6 +26,7 @@ _CORNERS = ("vertex_indices", "vertex_index")
 _LONGEST_HEAD = 2**16
 _END = re.compile(rb"end_header[^\r\n]*(\r\n|\r|\n)")
 _BLOCK = 2**22
+_MOST_DIGITS = 12  # of a number of entries
 
 
 class _Property(NamedTuple):
@@ -39,13 +41,13 @@ class _Element(NamedTuple):
     properties: list[_Property]
 
 
-def read_ply(content: bytes, progress: Progress) -> Raw:
+def read_ply(content: bytes, progress: Progress, refuse: Refuse) -> Raw:
     """What a PLY says. Raises: ValueError where it is none, or breaks off."""
     elements, order, at = _head(content)
     counts = {element.name: element.entries for element in elements}
     if "vertex" not in counts or "face" not in counts:
         raise ValueError(_("The file has no vertices or no faces; choose one with a mesh in it."))
-    refuse_counts(counts["vertex"], counts["face"])
+    refuse(counts["vertex"], counts["face"])
     body: _Body = _Bytes(content, at, order) if order else _Words(content[at:], progress)
     points, faces, coloured = np.zeros((0, 3)), Faces.of([]), False
     for element in elements:
@@ -83,8 +85,14 @@ def _head(content: bytes) -> tuple[list[_Element], str, int]:
         match line.split():
             case ["format", name, _version] if name in _ORDERS:
                 order = _ORDERS[name]
-            case ["element", name, count] if count.isascii() and count.isdecimal() and len(count) < 13:
-                elements.append(_Element(name, int(count), []))
+            case ["element", name, count] if count.isascii() and count.isdecimal():
+                if len(count.lstrip("0")) > _MOST_DIGITS:
+                    sentence = _(
+                        "The header of the PLY file announces too many entries: {line!r}, and at most "
+                        "{most:,} vertices and as many faces can be read; choose a simpler mesh."
+                    )
+                    raise ValueError(sentence.format(line=line.strip()[:60], most=MOST_FACES))
+                elements.append(_Element(name, int(count.lstrip("0") or 0), []))
             case ["property", "list", count_type, type_, name] if (
                 elements and {count_type, type_} <= _TYPES.keys() and _TYPES[count_type][0] != "f"
             ):

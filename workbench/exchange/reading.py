@@ -110,7 +110,7 @@ def read_now(job: Job, progress: Progress = silent) -> Result:
         assert job.sheet is not None
         return read_svg(content if job.path else content.decode("utf-8", "replace"), job.sheet, progress=rest)
     if job.kind == "mesh":
-        return mesh_reading.read_mesh(content, Path(job.path).suffix, rest)
+        return mesh_reading.read_mesh(content, Path(job.path).suffix, rest, to_keep=True)
     text = text_of(content, job.path)
     if job.kind == "points":
         return read_points(text, rest)

@@ -14,9 +14,9 @@ from workbench.engine.stopping import Stop, Stopped
 from workbench.geometry.meshes import Faces, Mesh, triangulated
 from workbench.rendering.scene import render_scene
 from workbench.rendering.scene.lit_triangles import blockers_of, lit_triangles
-from workbench.rendering.scene.shaded import Model, shaded, shading_call
+from workbench.rendering.scene.shaded import Buffers, Model, shaded, shading_call
 from workbench.rendering.scene.shading import LIT_SHADINGS
-from workbench.rendering.scene.smoothing import corner_normals
+from workbench.rendering.scene.smoothing import CornerNormals
 
 SIZE, WINDOW = (24, 16), Rectangle(-1.5, -1.0, 1.5, 1.0)
 
@@ -38,9 +38,9 @@ def test_each_channel_is_that_of_the_text(shading: str, model: Model) -> None:
     seen = scene()
     image, depth = shaded(seen, shading, SIZE, WINDOW, model)
     lit = lit_triangles(seen, SIZE, WINDOW)
-    blockers = blockers_of(seen) if model.shadows else np.zeros((0, 3))
+    blockers, _count = blockers_of(seen, 1_000 if model.shadows else 0)
     for channel, shift in enumerate((16, 8, 0)):
-        call = shading_call(lit, shading, SIZE, model, blockers, channel)
+        call = shading_call(lit, shading, Buffers.of(SIZE), model, blockers, channel)
         list(call.entry.function(*call.arguments))
         exact = srgb_encoded(call.arguments[0]) * 255
         assert np.abs((image >> shift & 255) - exact).max() <= (1.01 if shading == gouraud.__name__ else 0.51)
@@ -49,11 +49,16 @@ def test_each_channel_is_that_of_the_text(shading: str, model: Model) -> None:
     assert (depth == 1).any()
 
 
+def all_normals(mesh: Mesh) -> np.ndarray:
+    triangles, owners = triangulated(*mesh)
+    return CornerNormals(mesh, triangles, owners).of(0, len(triangles))
+
+
 def test_normals_are_smooth_on_a_sphere_and_flat_on_a_box() -> None:
     for solid, expected in ((Sphere(1.0, 24, 12), None), (Box(2.0, 2.0, 2.0), 1)):
         mesh = solid.mesh(())
-        triangles, owners = triangulated(*mesh)
-        normals = corner_normals(mesh, triangles, owners)
+        triangles, _owners = triangulated(*mesh)
+        normals = all_normals(mesh)
         assert np.linalg.norm(normals, axis=2) == pytest.approx(1.0)
         if expected is None:
             assert np.abs(normals - mesh.vertices[triangles]).max() < 0.07
@@ -64,10 +69,10 @@ def test_normals_are_smooth_on_a_sphere_and_flat_on_a_box() -> None:
 
 def test_vertices_in_one_place_are_one_to_the_normals() -> None:
     mesh = Sphere(1.0, 12, 6).mesh(())
-    triangles, owners = triangulated(*mesh)
+    triangles, _owners = triangulated(*mesh)
     apart = Mesh(mesh.vertices[triangles].reshape(-1, 3), Faces.of(np.arange(triangles.size).reshape(-1, 3)))
-    loose = corner_normals(apart, *triangulated(*apart))
-    assert np.abs(loose - corner_normals(mesh, triangles, owners)).max() < 0.2
+    loose = all_normals(apart)
+    assert np.abs(loose - all_normals(mesh)).max() < 0.2
     of_place: dict[tuple[float, ...], list[np.ndarray]] = {}
     for place, normal in zip(map(tuple, apart.vertices.round(6).tolist()), loose.reshape(-1, 3), strict=True):
         of_place.setdefault(place, []).append(normal)
@@ -126,7 +131,9 @@ def test_a_mesh_of_one_triangle_from_behind_is_lit_there() -> None:
 def test_light_of_corners_is_stopped_before_anything_is_drawn(monkeypatch: pytest.MonkeyPatch) -> None:
     """With shadows it takes seconds, for which a program that ends would wait."""
     drawn: list[object] = []
-    monkeypatch.setattr("workbench.rendering.scene.shaded.gouraud_drawn", lambda *given: drawn.append(given))
+    monkeypatch.setattr(
+        "workbench.rendering.scene.shaded.gouraud_drawn", lambda *given: drawn.append([*given[0]()])
+    )
     stop = Stop()
     stop.set()
     with pytest.raises(Stopped):

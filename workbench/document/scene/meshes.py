@@ -4,20 +4,47 @@ from functools import lru_cache
 
 import numpy as np
 
-from workbench.document.storage.blobs import Blob
+from workbench.document.errors import DocumentError
+from workbench.document.storage.blobs import MAX_BLOB_BYTES, Blob
 from workbench.geometry.meshes import Faces, Mesh
 from workbench.language import _
 
 _HEAD = b"mesh 1\n\0"
 FARTHEST = 1e9
+_COUNTS, _VERTEX, _NUMBER = 24, 24, 4  # bytes
 
 
 def blob_of(mesh: Mesh) -> Blob:
     """The bytes of a mesh. Raises: DocumentError where they are more than a document keeps."""
+    refuse_bytes(mesh)
+    return Blob(_bytes_of(mesh))
+
+
+def refuse_bytes(mesh: Mesh) -> None:
+    """Raises: DocumentError, a sentence, where a mesh takes more bytes than a document keeps."""
+    vertices, faces = mesh
+    size = len(_HEAD) + _COUNTS + bytes_of_counts(len(vertices), len(faces), len(faces.corners))
+    if size > MAX_BLOB_BYTES:
+        sentence = _(
+            "As a part of a picture the mesh takes {size:,} bytes, but at most {most:,} can be kept; choose "
+            "a simpler one."
+        )
+        raise DocumentError("", sentence.format(size=size, most=MAX_BLOB_BYTES))
+
+
+def bytes_of_counts(vertices: int, faces: int, corners: int) -> int:
+    """How many bytes the numbers of a mesh take."""
+    return _VERTEX * vertices + _NUMBER * (faces + corners)
+
+
+def _bytes_of(mesh: Mesh) -> bytes:
     vertices, faces = mesh
     counts = np.array([len(vertices), len(faces.corners), len(faces)], "<i8")
-    arrays = (counts, vertices.astype("<f8"), faces.corners.astype("<i4"), faces.ends.astype("<i4"))
-    return Blob(_HEAD + b"".join(array.tobytes() for array in arrays))
+    numbers = (np.ascontiguousarray(each, "<i4") for each in (faces.corners, faces.ends))
+    # The arrays themselves, not their bytes: a fine mesh would be there several times.
+    return b"".join(
+        [_HEAD, counts.data, np.ascontiguousarray(vertices, "<f8").data, *(n.data for n in numbers)]
+    )
 
 
 @lru_cache(maxsize=64)

@@ -7,7 +7,7 @@ from math import pi, sqrt
 import numpy as np
 
 from workbench.geometry.meshes import Array, Index, Mesh, edges_of, face_normals
-from workbench.rendering.scene.smoothing import corner_normals
+from workbench.rendering.scene.smoothing import CornerNormals
 
 _MOST_POINTS = 2_000
 _DIRECTIONS = 256
@@ -21,7 +21,7 @@ class Lasting:
 
     def __init__(self, mesh: Mesh) -> None:
         self._mesh = mesh
-        self._corner_normals: Array | None = None
+        self._corner_normals: CornerNormals | None = None
 
     @property
     def count(self) -> int:
@@ -76,10 +76,10 @@ class Lasting:
         """(e, 2), each once."""
         return edges_of(self._mesh)
 
-    def corner_normals(self, triangles: Index, owners: Index) -> Array:
-        """(t, 3, 3) of the mesh's triangles (t, 3), each a part of the face in ``owners`` (t,)."""
+    def corner_normals(self, triangles: Index, owners: Index) -> CornerNormals:
+        """Those of the mesh's triangles (t, 3), each a part of the face in ``owners`` (t,)."""
         if self._corner_normals is None:
-            self._corner_normals = corner_normals(self._mesh, triangles, owners)
+            self._corner_normals = CornerNormals(self._mesh, triangles, owners)
         return self._corner_normals
 
     @cached_property

@@ -1,6 +1,6 @@
 """A scene as the shadings get it: device triangles with places and normals, materials, lights and the eye."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -12,6 +12,9 @@ from workbench.document.scene.model import Camera, Light, Scene
 from workbench.geometry.meshes import Array, Index
 from workbench.rendering.scene.render import Part, placed
 from workbench.rendering.scene.viewpoint import Size, Viewpoint
+
+AT_ONCE = 1 << 15
+"""So many triangles of a scene are lit at a time: all of a fine mesh would take gigabytes."""
 
 
 class LitTriangles(NamedTuple):
@@ -49,23 +52,60 @@ class LitTriangles(NamedTuple):
 
 def lit_triangles(scene: Scene, size: Size, window: Rectangle | None) -> LitTriangles:
     """What of ``scene`` lies before its camera, on a picture of ``size``. Raises: ValueError, a sentence."""
+    (whole,) = lit_shares(scene, size, window, sum(_counts(scene)))
+    return whole
+
+
+def lit_shares(
+    scene: Scene, size: Size, window: Rectangle | None, at_once: int = AT_ONCE
+) -> Iterator[LitTriangles]:
+    """The same in shares of at most ``at_once`` of the scene's triangles, at least one share."""
     parts = placed(scene)
     meshes = [] if window else [mesh.vertices for mesh, *_rest in parts]
     viewpoint = Viewpoint.of(scene.camera, size, window, np.concatenate([np.zeros((0, 3)), *meshes]))
-    pieces = [_piece(part, viewpoint, number) for number, part in enumerate(parts)]
+    rows, colours = light_rows(scene.lights, scene.camera)
     place, number = np.zeros((0, 3)), np.zeros(0, np.int64)
     nothing = place, place, place, number, number, place, np.zeros((0, 4))
-    columns: Any = [np.concatenate(column) for column in zip(nothing, *pieces, strict=True)]
-    rows, colours = light_rows(scene.lights, scene.camera)
-    return LitTriangles._make((*columns, viewpoint.viewer, rows, colours))
+    for share in _spans(_counts(scene), at_once):
+        pieces = [_piece(parts[number], viewpoint, number, first, end) for number, first, end in share]
+        columns: Any = [np.concatenate(column) for column in zip(nothing, *pieces, strict=True)]
+        yield LitTriangles._make((*columns, viewpoint.viewer, rows, colours))
 
 
-def _piece(part: Part, viewpoint: Viewpoint, number: int) -> tuple[Array | Index, ...]:
-    """What of an object is drawn, in the order of ``LitTriangles``."""
-    mesh, (cut, face_of), material, lasting = part
-    drawn = viewpoint.drawn(mesh.vertices, cut, lasting.box)
-    places = drawn.of_owners(mesh.vertices[cut])
-    normals = drawn.of_owners(lasting.corner_normals(cut, face_of))
+def _counts(scene: Scene) -> list[int]:
+    """How many triangles each visible object has."""
+    return [len(cut) for _mesh, (cut, _faces), *_rest in placed(scene)]
+
+
+def _spans(counts: Sequence[int], at_once: int) -> list[list[tuple[int, int, int]]]:
+    """Shares of at most ``at_once`` triangles, at least one share: of each object in it the number, and its
+    first triangle and the end."""
+    shares: list[list[tuple[int, int, int]]] = [[]]
+    room = at_once
+    for number, count in enumerate(counts):
+        first = 0
+        while first < count:
+            if room == 0:
+                shares.append([])
+                room = at_once
+            end = min(first + room, count)
+            shares[-1].append((number, first, end))
+            room -= end - first
+            first = end
+    return shares
+
+
+def _piece(part: Part, viewpoint: Viewpoint, number: int, first: int, end: int) -> tuple[Array | Index, ...]:
+    """What of some triangles of an object is drawn, in the order of ``LitTriangles``."""
+    mesh, (every_cut, every_face), material, lasting = part
+    cut, face_of, vertices = every_cut[first:end], every_face[first:end], mesh.vertices
+    normals = lasting.corner_normals(every_cut, every_face).of(first, end)
+    if end - first < len(every_cut):  # the others' vertices are not looked at
+        used = np.zeros(len(vertices), bool)
+        used[cut] = True
+        vertices, cut = vertices[used], (np.cumsum(used) - 1)[cut]
+    drawn = viewpoint.drawn(vertices, cut, lasting.box)
+    places, normals = drawn.of_owners(vertices[cut]), drawn.of_owners(normals)
     if drawn.owners is not None:
         whole, places = places, _in_world(viewpoint, drawn.corners[drawn.triangles])
         normals = _shares(places, whole) @ normals
@@ -121,7 +161,10 @@ def light_rows(lights: Sequence[Light], camera: Camera) -> tuple[Array, Array]:
     return np.array(rows), np.array([linear_from_srgb(each.colour) for each in lights])
 
 
-def blockers_of(scene: Scene) -> Array:
-    """Corners (3 k, 3) of the triangles of all visible objects, three for each."""
-    corners = [mesh.vertices[cut].reshape(-1, 3) for mesh, (cut, _faces), *_rest in placed(scene)]
-    return np.concatenate([np.zeros((0, 3)), *corners])
+def blockers_of(scene: Scene, most: int) -> tuple[Array, int]:
+    """Corners (3 k, 3) of the triangles of all visible objects, three for each, none where more than ``most``
+    are there; and how many triangles there are."""
+    count = sum(_counts(scene))
+    parts = placed(scene) if count <= most else ()
+    corners = [mesh.vertices[cut].reshape(-1, 3) for mesh, (cut, _faces), *_rest in parts]
+    return np.concatenate([np.zeros((0, 3)), *corners]), count

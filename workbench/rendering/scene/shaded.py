@@ -1,5 +1,6 @@
 """A scene in the light of its lamps: flat, Gouraud, Phong or fast Phong, through the depth buffer."""
 
+from collections.abc import Iterator
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -14,10 +15,10 @@ from workbench.document.scene.model import Scene
 from workbench.engine.stopping import Stop
 from workbench.geometry.meshes import Array
 from workbench.language import _
-from workbench.rendering.gouraud_triangles import gouraud_drawn
+from workbench.rendering.gouraud_triangles import LitShare, gouraud_drawn
 from workbench.rendering.mapping import Call
 from workbench.rendering.scene.corner_light import corner_light
-from workbench.rendering.scene.lit_triangles import LitTriangles, blockers_of, lit_triangles
+from workbench.rendering.scene.lit_triangles import LitTriangles, blockers_of, lit_shares
 from workbench.rendering.scene.render import Picture
 from workbench.rendering.scene.viewpoint import Size
 from workbench.rendering.triangles import FARTHEST, in_bands
@@ -33,6 +34,18 @@ class Model(NamedTuple):
     shadows: bool = False
 
 
+class Buffers(NamedTuple):
+    """The light (h, w) of a picture so far, and the depth there."""
+
+    light: Array
+    depth: Array
+
+    @classmethod
+    def of(cls, size: Size) -> "Buffers":
+        """Those of a new picture."""
+        return cls(np.zeros(size[::-1]), np.full(size[::-1], FARTHEST))
+
+
 def shaded(
     scene: Scene,
     shading: str,
@@ -45,25 +58,33 @@ def shaded(
 
     Each of red, green and blue is shaded by itself, in linear light. Raises: ValueError, a sentence; Stopped.
     """
-    lit, blockers = lit_triangles(scene, size, window), _boxed(shadow_blockers(scene, model), stop)
+    blockers = _boxed(shadow_blockers(scene, model), stop)
     if shading == gouraud.__name__:
-        lights = [_of_corners(lit, channel, model, blockers, stop) for channel in range(3)]
-        return gouraud_drawn(lit.corners, lit.triangles, np.stack(lights, axis=1), size, stop)
-    channels = [_channel(lit, shading, channel, size, model, blockers, stop) for channel in range(3)]
+
+        def shares() -> Iterator[LitShare]:
+            for lit in lit_shares(scene, size, window):
+                lights = [_of_corners(lit, channel, model, blockers, stop) for channel in range(3)]
+                yield lit.corners, lit.triangles, np.stack(lights, axis=1)
+
+        return gouraud_drawn(shares, size, stop)
+    channels = [Buffers.of(size) for _channel in range(3)]
+    for lit in lit_shares(scene, size, window):
+        for channel, buffers in enumerate(channels):
+            _shade(lit, shading, channel, buffers, model, blockers, stop)
     packed = np.zeros(size[::-1], np.uint32)
     for light, _depth in channels:
         packed = packed << 8 | np.floor(srgb_encoded(light) * 255 + 0.5).astype(np.uint32)
-    return packed, channels[0][1]
+    return packed, channels[0].depth
 
 
 def shadow_blockers(scene: Scene, model: Model) -> Array:
     """Corners (3 k, 3) of what may take the light away. Raises: ValueError where that is too much."""
-    blockers = blockers_of(scene) if model.shadows else np.zeros((0, 3))
-    if len(blockers) > 3 * MOST_BLOCKERS:
+    blockers, count = blockers_of(scene, MOST_BLOCKERS) if model.shadows else (np.zeros((0, 3)), 0)
+    if count > MOST_BLOCKERS:
         sentence = _(
             "Shadows are cast by up to {most:,} triangles, but there are {count:,}; hide some objects."
         )
-        raise ValueError(sentence.format(most=MOST_BLOCKERS, count=len(blockers) // 3))
+        raise ValueError(sentence.format(most=MOST_BLOCKERS, count=count))
     return blockers
 
 
@@ -75,13 +96,18 @@ def _boxed(blockers: Array, stop: Stop | None) -> Array:
 
 
 def shading_call(
-    lit: LitTriangles, shading: str, size: Size, model: Model, blockers: Array, channel: int | None = None
+    lit: LitTriangles,
+    shading: str,
+    buffers: Buffers,
+    model: Model,
+    blockers: Array,
+    channel: int | None = None,
 ) -> Call:
-    """The call that shades a new picture: red, green or blue, or as if surfaces and lights were white."""
+    """The call that goes on with a picture: red, green or blue, or as if surfaces and lights were white."""
     entry = catalogue.get(shading)
     materials, lights = (lit.materials, lit.lights) if channel is None else lit.in_channel(channel)
     given: dict[str, Any] = {
-        "light": np.zeros(size[::-1]),
+        "light": buffers.light,
         "vertices": lit.corners,
         "faces": lit.triangles,
         "places": lit.places,
@@ -91,7 +117,7 @@ def shading_call(
         "lights": lights,
         "by_halfway": model.by_halfway,
         "blockers": blockers,
-        "depth": np.full(size[::-1], FARTHEST),
+        "depth": buffers.depth,
     }
     if shading == gouraud.__name__:
         given["intensities"] = _of_corners(lit, channel, model, blockers)
@@ -113,19 +139,19 @@ def _of_corners(
     return fragments[:, 0]
 
 
-def _channel(
+def _shade(
     lit: LitTriangles,
     shading: str,
     channel: int,
-    size: Size,
+    buffers: Buffers,
     model: Model,
     blockers: Array,
     stop: Stop | None,
-) -> tuple[Array, Array]:
-    """The light (h, w) of red, green or blue and the depth there, in bands of rows on two threads."""
+) -> None:
+    """Go on with red, green or blue, in bands of rows on two threads."""
     from workbench.engine.compiled import paint
 
-    call = shading_call(lit, shading, size, model, blockers, channel)
+    call = shading_call(lit, shading, buffers, model, blockers, channel)
     light, vertices, *rest, depth = call.arguments
     unused = np.zeros((1, 1), np.uint32)
 
@@ -133,5 +159,4 @@ def _channel(
         given = light[low:high], vertices - (0.0, low, 0.0), *rest, depth[low:high]
         paint(call.entry.function, unused, 0, *given)
 
-    in_bands(size[1], shade, stop)
-    return light, depth
+    in_bands(len(light), shade, stop)

@@ -18,6 +18,7 @@ from workbench.rendering.triangles import written_in_shares
 
 _MARGIN = 0.05
 _MOST_SIDE_PX = 1 << 14
+_AT_ONCE = 1 << 16  # triangles: what is worked out on the way takes little memory
 
 Size = tuple[int, int]
 
@@ -85,10 +86,13 @@ class Viewpoint(NamedTuple):
         if not ((box @ planes.T < 0).any() or (box[:, 3] <= LEAST_W).any()):
             corners = self._on_device(points_world, self.matrix)
             return Drawn(corners, triangles, None)
-        points, parts, owners = clip_triangles(self.homogeneous(points_world), triangles, planes)
-        good = (points[:, 3] > LEAST_W)[parts].all(axis=1)
-        used, number = np.unique(parts[good], return_inverse=True)
-        return Drawn(self._on_device(points[used], np.eye(4)), number.reshape(-1, 3), owners[good])
+        points, parts, owners = _clipped(self.homogeneous(points_world), triangles, planes)
+        used = np.zeros(len(points), bool)
+        used[parts.ravel()] = True
+        number = np.cumsum(used) - 1
+        for first in range(0, len(parts), _AT_ONCE):
+            parts[first : first + _AT_ONCE] = number[parts[first : first + _AT_ONCE]]
+        return Drawn(self._on_device(points[used], np.eye(4)), parts, owners)
 
     def _on_device(self, points: Array, matrix: Array) -> Array:
         """Points (n, 3), or (n, 4) with their w, as ``Drawn`` has its corners, once ``matrix`` is applied."""
@@ -107,6 +111,30 @@ class Viewpoint(NamedTuple):
         per_pixel = max((xmax - xmin) / self.size[0], (ymax - ymin) / self.size[1])
         beyond = REACH_PX * per_pixel
         return side_planes(xmin - beyond, ymin - beyond, xmax + beyond, ymax + beyond)
+
+
+def _clipped(points: Array, triangles: Index, planes: Array) -> tuple[Array, Index, Index]:
+    """As ``clip_triangles``, without what is too near the eye; of many triangles only those are copied more
+    than once that a plane cuts."""
+    outside = [points @ plane < 0 for plane in planes]
+    too_near = points[:, 3] <= LEAST_W
+    asked, gone = np.empty(len(triangles), bool), np.zeros(len(triangles), bool)
+    for first in range(0, len(triangles), _AT_ONCE):
+        share = slice(first, first + _AT_ONCE)
+        asked[share] = too_near[triangles[share]].any(axis=1)
+        for beyond in outside:
+            corners = beyond[triangles[share]]
+            asked[share] |= corners.any(axis=1)
+            gone[share] |= corners.all(axis=1)
+    asked &= ~gone
+    points, cut, cut_owners = clip_triangles(points, triangles[asked], planes)
+    good = (points[:, 3] > LEAST_W)[cut].all(axis=1)
+    counts = np.where(gone, 0, 1)
+    counts[asked] = np.bincount(cut_owners[good], minlength=int(asked.sum()))
+    owners = np.repeat(np.arange(len(triangles)), counts)
+    parts = triangles[owners]
+    parts[asked[owners]] = cut[good]
+    return points, parts, owners
 
 
 def refuse_size(size: Size) -> None:

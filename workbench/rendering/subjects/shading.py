@@ -16,7 +16,7 @@ from workbench.language import _
 from workbench.rendering.mapping import Call
 from workbench.rendering.marks import on_device
 from workbench.rendering.scene.lit_triangles import LitTriangles, lit_triangles
-from workbench.rendering.scene.shaded import Model, shading_call, shadow_blockers
+from workbench.rendering.scene.shaded import Buffers, Model, shading_call, shadow_blockers
 from workbench.rendering.scene.shading import LIT_SHADINGS
 from workbench.rendering.scene.viewpoint import Size
 from workbench.rendering.subjects.registry import Given, SubjectKind, register
@@ -77,7 +77,7 @@ def _lighting(scene: Scene, size: Size, window: Rectangle | None, model: Model) 
 @lru_cache(maxsize=16)
 def _call(scene: Scene, size: Size, window: Rectangle | None, shading: str, model: Model) -> Call:
     lit, _model, blockers = _lighting(scene, size, window, model)
-    return shading_call(lit, shading, size, model, blockers)
+    return shading_call(lit, shading, Buffers.of(size), model, blockers)
 
 
 def _calls(sheet: Sheet, subject: Subject) -> list[Call]:

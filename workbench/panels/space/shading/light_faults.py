@@ -23,8 +23,8 @@ def word_of(light: Light, scene: Scene) -> str:
         return _(
             "a₀, a₁ and a₂ are all 0, which would divide by 0: the light does not fade. Make one larger."
         )
-    corners = blockers_of(scene).reshape(-1, 3, 3)
-    if len(corners) <= _MOST_TRIANGLES and in_a_face(np.array(light.position.xyz), corners):
+    corners, _count = blockers_of(scene, _MOST_TRIANGLES)
+    if in_a_face(np.array(light.position.xyz), corners.reshape(-1, 3, 3)):
         return _(
             "This light is in a face, which it cannot light: only its other side, or nothing. Move it out."
         )

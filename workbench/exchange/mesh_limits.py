@@ -1,0 +1,64 @@
+"""How large a mesh may be, told from the numbers that its file begins with, before it is read."""
+
+from collections.abc import Callable
+
+from workbench.document.scene.meshes import bytes_of_counts
+from workbench.document.storage.blobs import MAX_BLOB_BYTES
+from workbench.language import _, ngettext
+
+MOST_VERTICES = MOST_FACES = 4_000_000
+
+Refuse = Callable[[int | None, int], None]
+"""Given how many vertices, None where that is not known, and faces a file has; raises ValueError, a sentence,
+where those are too many."""
+
+
+def refuse_counts(vertices: int | None, faces: int) -> None:
+    """Where a mesh has more than can be worked with."""
+    if vertices is None and faces > MOST_FACES:
+        sentence = _("The mesh has {faces}, and at most {most:,} can be read; choose a simpler one.")
+        raise ValueError(sentence.format(faces=of_faces(faces), most=MOST_FACES))
+    if vertices is not None and (vertices > MOST_VERTICES or faces > MOST_FACES):
+        sentence = _(
+            "The mesh has {vertices} and {faces}, and at most {most:,} of each can be read; "
+            "choose a simpler one."
+        )
+        raise ValueError(
+            sentence.format(vertices=of_vertices(vertices), faces=of_faces(faces), most=MOST_FACES)
+        )
+
+
+def refuse_unkept(vertices: int | None, faces: int) -> None:
+    """Where it has more, or takes more bytes even as triangles than a document keeps."""
+    if vertices is None:
+        # A surface that is closed has half as many vertices as triangles.
+        most = MAX_BLOB_BYTES // bytes_of_counts(1, 2, 6) * 2
+        if faces > most:
+            sentence = _(
+                "The mesh has {faces}, and at most {most:,} can be kept of a file that lists triangles; "
+                "choose a simpler one."
+            )
+            raise ValueError(sentence.format(faces=of_faces(faces), most=most))
+        return
+    refuse_counts(vertices, faces)
+    size = bytes_of_counts(vertices, faces, 3 * faces)
+    if size > MAX_BLOB_BYTES:
+        sentence = _(
+            "The mesh has {vertices} and {faces}, which take at least {size:,} bytes, but at most {most:,} "
+            "can be kept; choose a simpler one."
+        )
+        raise ValueError(
+            sentence.format(
+                vertices=of_vertices(vertices), faces=of_faces(faces), size=size, most=MAX_BLOB_BYTES
+            )
+        )
+
+
+def of_vertices(count: int) -> str:
+    """So many vertices, in words."""
+    return ngettext("{count:,} vertex", "{count:,} vertices", count).format(count=count)
+
+
+def of_faces(count: int) -> str:
+    """So many faces, in words."""
+    return ngettext("{count:,} face", "{count:,} faces", count).format(count=count)
