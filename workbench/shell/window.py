@@ -320,12 +320,9 @@ class MainWindow(QMainWindow):
 
     def undo(self) -> None:
         """Take the last edit back."""
-        self.session.end_merge()
-        self.session.undo_stack.undo()
+        from workbench.shell.sheets import undo
 
-    def redo(self) -> None:
-        """Make the edit again."""
-        self.session.undo_stack.redo()
+        undo(self)
 
     def run_do(self, name: str) -> None:
         """Move the cursor of the run (first, back, forward, last), or act on a wrong answer."""
