@@ -142,6 +142,7 @@ class TransformPanel(SteppedPanel):
         self.setFocusProxy(self.space.view if in_space else self.canvas)
         self._enable()
         self._take_run()
+        self._take_tool_when_empty()
         self.refresh()
 
     def _enable(self) -> None:
