@@ -140,9 +140,7 @@ def test_what_is_offered_once_the_session_is_there_is_found_in_an_open_palette(
     leave(window)
 
 
-def test_what_can_be_done_meanwhile_is_offered_when_more_is_typed(
-    qtbot: QtBot, window: MainWindow
-) -> None:
+def test_what_can_be_done_meanwhile_is_offered_when_more_is_typed(qtbot: QtBot, window: MainWindow) -> None:
     window.show_palette()
     palette = window.findChild(CommandPalette)
     assert palette is not None

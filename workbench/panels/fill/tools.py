@@ -182,7 +182,7 @@ class SeedTool(FigureTool):
     @property
     def invitation(self) -> str:
         """How to begin."""
-        return _("Click where the fill begins; it spreads until it meets a boundary, so draw one around it first.")
+        return _("Click where the fill begins; draw a boundary around it first, or it takes the whole sheet.")
 
     def press(self, x: float, y: float, modifiers: Modifiers, reach: float) -> None:
         """Fill from here, or say why not."""

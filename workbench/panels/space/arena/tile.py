@@ -28,6 +28,7 @@ from workbench.widgets.canvas.overlay import Cell
 from workbench.widgets.look.icons import icon, set_icon
 from workbench.widgets.look.plain_keys import is_plain
 from workbench.widgets.look.tokens import CAPTION_PX, RADIUS, TEXT_PX, colour, theme_changed, tokens
+from workbench.widgets.look.type_faces import scaled
 
 HEAD_PX, LINE_PX, AIR_PX, LINES = 24, 15, 8, 3
 LEAST_PX = QSize(150, 150)
@@ -175,14 +176,14 @@ class MethodTile(QWidget):
             name, role = ("warning", "error") if self.wrong else ("check", "text")
             icon(name, role).paint(painter, QRect(left, 6, _ICON_PX, _ICON_PX))
             left += _ICON_PX + 4
-        font.setPixelSize(TEXT_PX)
+        font.setPixelSize(scaled(TEXT_PX))
         font.setWeight(QFont.Weight.DemiBold)
         painter.setFont(font)
         painter.setPen(colour(now.text))
         room = QRectF(left, 4, self.width() - left - AIR_PX, HEAD_PX - 4)
         title = title_of(self.method)
         if painter.fontMetrics().horizontalAdvance(title) > room.width():
-            font.setPixelSize(CAPTION_PX)
+            font.setPixelSize(scaled(CAPTION_PX))
             painter.setFont(font)
         title = painter.fontMetrics().elidedText(title, Qt.TextElideMode.ElideRight, int(room.width()))
         painter.drawText(room, Qt.AlignmentFlag.AlignVCenter, title)
@@ -258,7 +259,7 @@ class MethodTile(QWidget):
 
     def _caption(self) -> QFont:
         font = QFont(self.font())
-        font.setPixelSize(CAPTION_PX)
+        font.setPixelSize(scaled(CAPTION_PX))
         return font
 
     # The hand
