@@ -89,7 +89,9 @@ class SentenceView(QLabel):
         return (*right, *self._told(), *score)
 
     def _score(self) -> Part:
-        score = _("{right} right, {wrong} wrong.").format(right=self._run.right, wrong=self._run.wrong)
+        score = _("First tries: {right} right, {wrong} wrong.").format(
+            right=self._run.right, wrong=self._run.wrong
+        )
         return Part(score, None)
 
     def _told(self) -> tuple[Part, ...]:
@@ -98,9 +100,9 @@ class SentenceView(QLabel):
         if run.entry is None:
             return (Part(run.before() or run.invitation, None),)
         if run.waiting:
-            score = _("Which pixel comes next? Click it. {right} right, {wrong} wrong.")
+            score = _("Which pixel comes next? Click it. First tries: {right} right, {wrong} wrong.")
             if run.options:
-                score = _("What comes next? {right} right, {wrong} wrong.")
+                score = _("What comes next? First tries: {right} right, {wrong} wrong.")
             asked = Part(score.format(right=run.right, wrong=run.wrong), None)
             return (*run.sentence, Part(" ", None), asked) if run.position else (asked,)
         parts = run.sentence

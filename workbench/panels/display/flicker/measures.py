@@ -103,7 +103,7 @@ def verdict(phosphor: Phosphor, refresh_hz: float, cd_m2: float) -> str:
 def doubt(phosphor: Phosphor) -> str:
     """What is uncertain of all this."""
     if not phosphor.uncertain_fields:
-        return _("Uncertain: when an eye fuses it, by some 10 Hz.")
-    return _("Uncertain: when an eye fuses it, by some 10 Hz; of {name} the {fields}.").format(
-        name=phosphor.name, fields=doubts(phosphor)
-    )
+        return _("Uncertain by about 10 Hz: the rate from which an eye sees no flicker.")
+    return _(
+        "Uncertain by about 10 Hz: the rate from which an eye sees no flicker; of {name}, the {fields}."
+    ).format(name=phosphor.name, fields=doubts(phosphor))
