@@ -78,15 +78,13 @@ class MainWindow(QMainWindow):
         self._makers: dict[str, Iterator[None]] = {}
         self._pages: dict[str, QWidget] = {}
         self.arriving: Arriving | None = None
-        self._painted = False
-        self._closing = False
+        self._painted = self._closing = self._complete = False
         self._wanted: list[Callable[[], object]] = []
         self.setWindowTitle(PROGRAM)
         themes.dress(self)
         self.setMinimumSize(*SMALLEST)
         self.resize(QSize(*FIRST_SIZE).boundedTo(self.screen().availableSize() - FRAME))
         self.setAcceptDrops(True)
-        self._complete = False
         self.top = QWidget()
         self._top_column = QVBoxLayout(self.top)
         self._top_column.setContentsMargins(0, 0, 0, 0)
