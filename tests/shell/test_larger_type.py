@@ -76,7 +76,7 @@ def sizes(window: MainWindow) -> dict[str, int]:
         "room of a field": window.findChildren(NumberField)[0].field.width(),
         "step": pixels(window.findChildren(StepBar)[0].jump),
         "table": hand.model.data(hand.model.index(0, 0), Qt.ItemDataRole.FontRole).pixelSize(),
-        "heading of the table": pixels(hand.view.horizontalHeader()),
+        "heading of the table": pixels(hand.view.horizontalHeader().viewport()),
         "source": pixels(window.findChildren(SourceText)[0]),
         "matrix": max(pixels(row) for row in window.findChildren(MatrixRow)),
         "menu bar": window.menu_bar.height(),

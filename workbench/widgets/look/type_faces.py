@@ -6,7 +6,7 @@ from functools import cache
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QFont, QFontDatabase
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QAbstractScrollArea, QWidget
 
 from workbench.widgets.look.tokens import TEXT_PX
 
@@ -60,7 +60,10 @@ class _CodeFont(QObject):
         self._put()
 
     def _put(self) -> None:
-        self._widget.setFont(code_font(self._pixels, self._weight))
+        font = code_font(self._pixels, self._weight)
+        self._widget.setFont(font)
+        if isinstance(self._widget, QAbstractScrollArea):
+            self._widget.viewport().setFont(font)  # a heading is painted in this one's, which keeps its own
 
 
 def keep_code_font(
