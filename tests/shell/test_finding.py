@@ -6,10 +6,14 @@ from hypothesis import strategies as st
 from PySide6.QtCore import Qt
 from pytestqt.qtbot import QtBot
 
-from workbench.document.samples.examples import example_document
+from tests.shell.conftest import OFFERED, leave
+from workbench.document.samples.examples import blank_sheet, example_document
+from workbench.document.sheet_edits import add_sheet
 from workbench.session.session import Session
 from workbench.shell.command_palette import CommandPalette, match, offers
+from workbench.shell.settings import Settings
 from workbench.shell.start import make_window
+from workbench.shell.window import MainWindow
 
 SURFACES = "Question 7: Deciding what is hidden: surface against surface, or pixel by pixel?"
 
@@ -118,3 +122,30 @@ def test_an_example_is_found_by_what_it_shows(qtbot: QtBot, typed: str, title: s
     qtbot.keyClicks(palette.field, typed)
     rows = [palette.list.item(row).text() for row in range(palette.list.count())]
     assert any(row.startswith(f"Example: {title}") for row in rows)
+
+
+def test_what_is_offered_once_the_session_is_there_is_found_in_an_open_palette(
+    qtbot: QtBot, panels: None
+) -> None:
+    window = make_window(Settings(), OFFERED)
+    window.show()
+    window.complete()
+    window.show_palette()
+    palette = window.findChild(CommandPalette)
+    assert palette is not None
+    qtbot.keyClicks(palette.field, "example circle and")
+    assert palette.list.count() == 0
+    window.attach(Session(window, example_document()))
+    assert palette.list.item(0).text() == "Example: Circle and ellipse"
+    leave(window)
+
+
+def test_what_can_be_done_meanwhile_is_offered_when_more_is_typed(qtbot: QtBot, window: MainWindow) -> None:
+    window.show_palette()
+    palette = window.findChild(CommandPalette)
+    assert palette is not None
+    qtbot.keyClicks(palette.field, "second though")
+    assert palette.list.count() == 0
+    window.session.apply(add_sheet(blank_sheet(name="Second thoughts").sheets[0]), "Add a sheet")
+    qtbot.keyClicks(palette.field, "t")
+    assert palette.list.item(0).text() == "Sheet: Second thoughts"

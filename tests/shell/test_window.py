@@ -253,6 +253,7 @@ def test_hints_come_once_and_return_from_help(qtbot: QtBot, window: MainWindow) 
         qtbot.mouseClick(hints._next, Qt.MouseButton.LeftButton)
     assert len(set(seen)) == 3
     assert window.settings.get("hints") is False
+    assert "The marked lines ran in this step." in seen[2]  # several, those of the sentence
     qtbot.wait(10)
     window.show_hints()
     assert window.findChild(Hints) is None

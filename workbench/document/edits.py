@@ -51,6 +51,7 @@ from workbench.document.motion.model import Motion
 from workbench.document.motion.tracks import tracks_of, with_copied_tracks, with_motion
 from workbench.document.parts import ids_of_copy
 from workbench.document.sheet_edits import (
+    add_apart,
     add_sheet,
     remove_sheet,
     rename_sheet,
@@ -77,6 +78,7 @@ from workbench.language import _
 
 __all__ = [
     "Edit",
+    "add_apart",
     "add_figure",
     "add_figures",
     "add_ring",

@@ -29,6 +29,7 @@ from workbench.document.model import (
     whole_sheet,
 )
 from workbench.document.motion.tracks import with_new_ids
+from workbench.document.names import free_name
 from workbench.document.parts import number_of
 from workbench.document.scene.renaming import with_fresh_ids
 
@@ -74,6 +75,16 @@ def add_sheet(sheet: Sheet, index: int | None = None) -> Edit:
         if sheet.motion is not None:
             added = replace(added, motion=with_new_ids(plain(sheet.motion), renamed, fresh))
         return with_figures(document, added, tuple(figures))
+
+    return edit
+
+
+def add_apart(sheet: Sheet, index: int | None = None) -> Edit:
+    """Add ``sheet`` as ``add_sheet`` does, under a name that no other sheet has."""
+
+    def edit(document: Document) -> Document:
+        name = free_name(sheet.name, {other.name for other in document.sheets})
+        return add_sheet(replace(sheet, name=name), index)(document)
 
     return edit
 

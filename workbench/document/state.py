@@ -20,6 +20,9 @@ T = TypeVar("T")
 
 LONGEST_TIME_S = 1e9
 
+_FIGURE_PIXELS = frozenset({"draw", "fill", "clip", "curves", "why"})
+"""Workspaces where the pixel that is asked about is one of the figures of the sheet."""
+
 
 def _drive(label: str, low: float, high: float, unit: str = "") -> Number:
     return Number(label=label, low=low, high=high, unit=unit, keyed=False)
@@ -126,13 +129,26 @@ def with_look(state: SessionState, sheet: Sheet, camera: Camera | None) -> dict[
 
 
 def with_changes(state: SessionState, **changes: Any) -> SessionState:
-    """``state`` with other values; ``subject``, ``step`` and ``detail`` are those of its workspace."""
+    """``state`` with other values; ``subject``, ``step`` and ``detail`` are those of its workspace.
+
+    The question about a pixel ends with its sheet, and with a workspace where it means nothing.
+    """
     here = {name: changes.pop(name) for name in Position.__struct_fields__ if name in changes}
-    state = replace(state, **changes)
+    before, state = state, replace(state, **changes)
+    if "pixel" not in changes and not _asks_the_same(before, state):
+        state = replace(state, pixel=None)
     position = replace(state.position, **here)
     if position == state.position:
         return state
     return replace(state, positions={**state.positions, state.workspace: position})
+
+
+def _asks_the_same(before: SessionState, now: SessionState) -> bool:
+    """Whether a pixel means the same in both: on one sheet, and in workspaces of one kind."""
+    if before.sheet != now.sheet:
+        return False
+    places = {before.workspace or now.workspace, now.workspace}
+    return len(places) == 1 or places <= _FIGURE_PIXELS
 
 
 def at_the_start(state: SessionState) -> SessionState:
@@ -213,6 +229,7 @@ def cleaned(state: SessionState, document: Document) -> SessionState:
         selection=selection,
         active=active,
         positions=positions,
+        pixel=state.pixel if state.sheet in ("", sheet) else None,
         thing=state.thing if not state.thing or state.thing in _objects(document) else "",
         looks=_on_sheets(state.looks, document),
         frames=_on_sheets(state.frames, document),

@@ -12,7 +12,7 @@ from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
 from workbench.document.addresses import changed as changed_addresses
 from workbench.document.check import check
-from workbench.document.edits import Edit, add_sheet
+from workbench.document.edits import Edit, add_apart
 from workbench.document.errors import DocumentError
 from workbench.document.model import AnyFigure, Document, Sheet
 from workbench.document.samples.examples import blank_sheet, example
@@ -227,7 +227,7 @@ class Session(QObject):
         """Open a built-in example: as a document of its own, or as a sheet beside unsaved work."""
         chosen, before = example(slug), self.document.sheets if self.dirty else ()
         if self.dirty:
-            self.apply(add_sheet(chosen.document.sheets[0]), _("Open example"))
+            self.apply(add_apart(chosen.document.sheets[0]), _("Open example"))
         else:
             self.new(chosen.document)
         self.show_sheet(next(sheet.id for sheet in self.document.sheets if sheet not in before))

@@ -64,8 +64,7 @@ class AboutPage(SidePage):
         self.copy = QPushButton(_("Copy the diagnosis"))
         self.copy.setToolTip(_("Put the lines above on the clipboard"))
         self.copy.clicked.connect(lambda: QGuiApplication.clipboard().setText(diagnosis(window)))
-        self.copy.setMaximumWidth(self.copy.sizeHint().width() + 24)
-        self.column.addWidget(self.copy)
+        self.column.addWidget(self.copy, 0, Qt.AlignmentFlag.AlignLeft)
         self.column.addStretch(1)
 
     def showEvent(self, event: QShowEvent) -> None:

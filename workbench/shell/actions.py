@@ -54,13 +54,14 @@ def menu_titles() -> tuple[tuple[str, str], ...]:
 
 def submenu_titles() -> tuple[tuple[str, str, str], ...]:
     """Id and title of each menu inside another, and the command that it follows."""
-    return (("export", _("Export"), "save_as"),)
+    return (("export", _("Export"), "save_as"), ("sheets", _("Sheets"), "reset"))
 
 
 def commands() -> tuple[Command, ...]:
     """The table."""
     from workbench.shell.edit_commands import edit_commands  # made of these rows' kind
     from workbench.shell.export_commands import export_commands
+    from workbench.shell.sheets import sheet_commands
     from workbench.shell.view_commands import view_commands
 
     return (
@@ -230,6 +231,7 @@ def commands() -> tuple[Command, ...]:
             "answer",
         ),
         *view_commands(),
+        *sheet_commands(),
         Command(
             "help",
             _("Help"),

@@ -192,7 +192,6 @@ class CommandPalette(QFrame):
         self.setObjectName("palette")
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self._window = window
-        self._offers = offers(window)
         self._back_to = window.focusWidget()
         application = QApplication.instance()
         assert application is not None
@@ -215,6 +214,8 @@ class CommandPalette(QFrame):
         self.list.itemClicked.connect(self._run)
         self._application.installEventFilter(self)
         self._search("")
+        if window.session is None:
+            window.when_ready(self._search_again)
         width = min(_WIDTH, window.width() - 32)
         self.setGeometry((window.width() - width) // 2, 64, width, min(380, window.height() - 96))
 
@@ -229,9 +230,14 @@ class CommandPalette(QFrame):
         made.field.setFocus(Qt.FocusReason.ShortcutFocusReason)
         return made
 
+    def _search_again(self) -> None:
+        """More can be done once a session is there."""
+        if isValid(self):
+            self._search(self.field.text())
+
     def _search(self, letters: str) -> None:
         ranked = []
-        for place, offer in enumerate(self._offers):
+        for place, offer in enumerate(offers(self._window)):
             cost = _rank(letters, offer)
             if cost is not None:
                 ranked.append((cost if letters else 0.0, place, offer))

@@ -131,7 +131,8 @@ def show_hints(window: "MainWindow") -> Hints | None:
         (window.steps, _("Step through the algorithm here, or with the keys , and . everywhere.")),
     ]
     if source is not None:
-        places.append((source, _("This is the very algorithm that draws. The marked line runs next.")))
+        text = _("This is the very algorithm that draws. The marked lines ran in this step.")
+        places.append((source, text))
     return Hints(window, places)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import partial
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QEvent, Signal
+from PySide6.QtCore import QEvent, QTimer, Signal
 from PySide6.QtWidgets import QFrame, QGridLayout, QHBoxLayout, QLabel, QPushButton, QSizePolicy
 
 from workbench.language import _
@@ -70,7 +70,7 @@ class QuestionList(QFrame):
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         if event.type() == QEvent.Type.FontChange and self._columns:
-            self._fit()
+            QTimer.singleShot(0, self, self._fit)  # its rows take other type after it
 
     def _arrange(self) -> None:
         """Down the first column, then the second, so that Tab and the eye follow the numbers."""

@@ -33,6 +33,7 @@ class Menus(QObject):
         self.commands = {command.id: command for command in commands()}
         self.actions: dict[str, QAction] = {}
         self.submenus: dict[str, QMenu] = {}
+        self._listed_sheets: list[QAction] = []
         for command in self.commands.values():
             told = f"\t{key_text(command.focused_key)}" if command.focused_key else ""
             action = QAction(command.text + told, window)
@@ -96,8 +97,10 @@ class Menus(QObject):
                 menu.addSeparator()
                 self._docks = menu.addMenu(_("Docks"))
                 self._docks.aboutToShow.connect(self._fill_docks)
-                self._sheets = menu.addMenu(_("Sheets"))
+                self._sheets = self.submenus["sheets"]
+                self._sheets.addSeparator()
                 self._sheets.aboutToShow.connect(self._fill_sheets)
+                menu.addMenu(self._sheets)  # after the docks
 
     def _fill_menu(self, menu: QMenu, menu_id: str) -> None:
         menu.setToolTipsVisible(True)
@@ -154,14 +157,15 @@ class Menus(QObject):
         self._if_empty(self._docks, _("This page has none"))
 
     def _fill_sheets(self) -> None:
-        self._sheets.clear()
+        while self._listed_sheets:
+            self._sheets.removeAction(self._listed_sheets.pop())
         session = self._window.session
         for sheet in session.document.sheets if session is not None else ():
             entry = self._sheets.addAction(legible(sheet.name).replace("&", "&&"))
             entry.setCheckable(True)
             entry.setChecked(sheet is session.sheet)
             entry.triggered.connect(partial(self._window.files.show_sheet, sheet.id))
-        self._if_empty(self._sheets, _("None yet"))
+            self._listed_sheets.append(entry)
 
     @staticmethod
     def _if_empty(menu: QMenu, text: str) -> None:

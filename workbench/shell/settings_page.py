@@ -2,6 +2,7 @@
 
 from typing import TYPE_CHECKING
 
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QCheckBox, QComboBox, QFormLayout, QLabel, QPushButton
 
@@ -59,9 +60,7 @@ class SettingsPage(SidePage):
         forget = QPushButton(_("Forget recent pictures"))
         forget.setToolTip(_("Empty the list of recent pictures; the files stay"))
         forget.clicked.connect(self._forget)
-        self.column.addWidget(forget)
-        self.column.setAlignment(forget, self.column.alignment())
-        forget.setMaximumWidth(forget.sizeHint().width() + 24)
+        self.column.addWidget(forget, 0, Qt.AlignmentFlag.AlignLeft)
         paragraph(self.column, settings.problem or _("Kept in {path}").format(path=settings.path), "muted")
         self.column.addStretch(1)
 

@@ -4,16 +4,17 @@ hair lines, an edge on what can be typed into. ``@token`` in it stands for a tok
 
 from workbench.paths import resource
 from workbench.widgets.look.tokens import RADIUS, TITLE_PX, Tokens
+from workbench.widgets.look.type_faces import scaled
 
 
-def style_sheet(chosen: Tokens, scale: float = 1.0) -> str:
-    """The style sheet of one theme; ``scale`` enlarges the few type sizes it names."""
+def style_sheet(chosen: Tokens) -> str:
+    """The style sheet of one theme, its type as large as type is now."""
     text = resource("controls", "style.qss").read_text(encoding="utf-8")
     values = {
         "accent_hover": _towards(chosen.accent, chosen.text, 0.15),
         "controls": resource("controls").as_posix(),
         "radius": f"{RADIUS}px",
-        "title_px": f"{round(TITLE_PX * scale)}px",
+        "title_px": f"{scaled(TITLE_PX)}px",
         **{name: getattr(chosen, name) for name in Tokens._fields if name != "data"},
     }
     for name in sorted(values, key=len, reverse=True):

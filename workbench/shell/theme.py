@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QApplication, QMainWindow
 
 from workbench.shell.style_sheet import style_sheet
 from workbench.widgets.look.tokens import DARK, LIGHT, TEXT_PX, Tokens, theme
+from workbench.widgets.look.type_faces import scaled, type_scale
 
 if TYPE_CHECKING:
     from workbench.shell.window import MainWindow
@@ -94,16 +95,18 @@ class ThemeSwitch(QObject):
             return
         chosen = DARK if dark else LIGHT
         self._shown = (chosen.name, self._large)
-        scale = _LARGE if self._large else 1.0
+        before, type_scale.factor = type_scale.factor, _LARGE if self._large else 1.0
         font = QFont(self._base)
-        font.setPixelSize(round(TEXT_PX * scale))
+        font.setPixelSize(scaled(TEXT_PX))
         self._application.setFont(font)
         self._application.setPalette(palette_of(chosen))
         theme.use(chosen)
-        self._sheet = style_sheet(chosen, scale)
+        self._sheet = style_sheet(chosen)
         for window in self._application.topLevelWidgets():
             if isinstance(window, QMainWindow):
                 self.dress(window)
+        if type_scale.factor != before:
+            type_scale.changed.emit()
 
     def dress(self, window: QMainWindow) -> None:
         """Put the style sheet on a window and all that belongs to it.

@@ -20,6 +20,7 @@ from workbench.shell.settings import Settings
 from workbench.shell.theme import ThemeSwitch
 from workbench.shell.workspace_bar import WorkspaceBar
 from workbench.shell.workspaces import Workspace, join, panel_class, titles, workspaces
+from workbench.widgets.look.type_faces import type_scale
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
@@ -77,21 +78,18 @@ class MainWindow(QMainWindow):
         self._makers: dict[str, Iterator[None]] = {}
         self._pages: dict[str, QWidget] = {}
         self.arriving: Arriving | None = None
-        self._painted = False
-        self._closing = False
+        self._painted = self._closing = self._complete = False
         self._wanted: list[Callable[[], object]] = []
         self.setWindowTitle(PROGRAM)
         themes.dress(self)
         self.setMinimumSize(*SMALLEST)
         self.resize(QSize(*FIRST_SIZE).boundedTo(self.screen().availableSize() - FRAME))
         self.setAcceptDrops(True)
-        self._complete = False
         self.top = QWidget()
         self._top_column = QVBoxLayout(self.top)
         self._top_column.setContentsMargins(0, 0, 0, 0)
         self._top_column.setSpacing(0)
         self.menu_bar = QMenuBar()
-        self.menu_bar.setFixedHeight(self.fontMetrics().height() + MENU_PADDING)
         home = ("home", _("Home"), _("Recent pictures, examples and questions"))
         self.bar = WorkspaceBar([home, *((w.slug, w.title, w.tooltip) for w in self._offered.values())])
         self.bar.chosen.connect(self.go)
@@ -100,10 +98,15 @@ class MainWindow(QMainWindow):
         self.setMenuWidget(self.top)
         self.stack = QStackedWidget()
         self.setCentralWidget(self.stack)
-        self.statusBar().setFixedHeight(self.fontMetrics().height() + STATUS_PADDING)
+        type_scale.changed.connect(self._fit_bars)
+        self._fit_bars()
         if (geometry := settings.arrangement("window")) is not None:
             self.restoreGeometry(geometry)
         self.show_page("home")
+
+    def _fit_bars(self) -> None:
+        self.menu_bar.setFixedHeight(self.fontMetrics().height() + MENU_PADDING)
+        self.statusBar().setFixedHeight(self.fontMetrics().height() + STATUS_PADDING)
 
     def complete(self) -> None:
         """Make what the first frame did without: menus, messages, docks, step bar, status."""
@@ -320,12 +323,9 @@ class MainWindow(QMainWindow):
 
     def undo(self) -> None:
         """Take the last edit back."""
-        self.session.end_merge()
-        self.session.undo_stack.undo()
+        from workbench.shell.sheets import undo
 
-    def redo(self) -> None:
-        """Make the edit again."""
-        self.session.undo_stack.redo()
+        undo(self)
 
     def run_do(self, name: str) -> None:
         """Move the cursor of the run (first, back, forward, last), or act on a wrong answer."""

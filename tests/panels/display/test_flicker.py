@@ -15,7 +15,7 @@ from workbench.document.subjects import Subject
 from workbench.exchange.diagram_svg import write_diagram
 from workbench.exchange.diagrams import Heading, Sentence
 from workbench.panels.display.flicker.figures import column_at, moved_picture
-from workbench.panels.display.flicker.measures import verdict
+from workbench.panels.display.flicker.measures import doubt, verdict
 from workbench.panels.display.flicker.page import FlickerPage
 from workbench.panels.display.flicker.phosphor_table import PhosphorTable
 from workbench.session.session import Session
@@ -291,3 +291,11 @@ def test_on_a_low_page_the_map_has_more_room_than_the_tube_beside_it_and_no_fiel
     page.resize(900, 560)
     qtbot.waitUntil(page.measures.verdict.isVisible)
     qtbot.waitUntil(lambda: abs(page.map.width() - page.tube.width()) < 10)
+
+
+@pytest.mark.parametrize("name", names())
+def test_what_is_uncertain_is_named_with_its_extent(name: str) -> None:
+    phosphor = Phosphor.named(name)
+    said = doubt(phosphor)
+    assert said.startswith("Uncertain by about 10 Hz: the rate from which an eye sees no flicker")
+    assert (phosphor.name in said) == bool(phosphor.uncertain_fields)

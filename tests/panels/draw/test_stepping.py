@@ -13,6 +13,7 @@ from workbench.document.samples.figures import points_at
 from workbench.rendering import frame_buffer
 from workbench.rendering.comparing import BOTH, ONLY_FIRST, TIE_FIRST
 from workbench.widgets.look.tokens import LIGHT
+from workbench.widgets.stepping.sentence_view import SentenceView
 from workbench.widgets.stepping.step_bar import Steps
 
 CIRCLE = Circle("", points_at((9, 9)), "midpoint_circle", radius_world=5.0)
@@ -57,6 +58,8 @@ def test_arrows_step_when_nothing_is_selected(qtbot, session, panel, line):
 
 def test_ask_first_hides_what_comes_and_a_click_answers(qtbot, session, panel, line):
     recorded(qtbot, session)
+    score = SentenceView(session.run)
+    qtbot.addWidget(score)
     session.update_state(ask_first=True)
     settle()
     assert session.run.waiting
@@ -64,6 +67,7 @@ def test_ask_first_hides_what_comes_and_a_click_answers(qtbot, session, panel, l
     qtbot.mouseClick(panel.canvas, LEFT, pos=at(panel, 21, 11))
     settle()
     assert (session.run.right, session.run.wrong) == (1, 0)
+    assert score.plain.endswith("Click it. First tries: 1 right, 0 wrong.")
     assert panel.canvas.overlay.right == ((21, 11),)
     qtbot.mouseClick(panel.canvas, LEFT, pos=at(panel, 23, 11))
     settle()
@@ -71,6 +75,7 @@ def test_ask_first_hides_what_comes_and_a_click_answers(qtbot, session, panel, l
     assert panel.canvas.overlay.wrong == ((23, 11),)
     assert words(panel) == ["Not this one"]
     assert points(line()) == [(20, 10), (30, 18)]
+    assert score.plain.endswith("First tries: 1 right, 1 wrong.")
 
 
 def test_a_wrong_click_is_tried_again_or_shown_by_the_step_bar(qtbot, session, panel, line):

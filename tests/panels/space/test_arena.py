@@ -8,6 +8,7 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtWidgets import QApplication
 
 from tests.panels.by_hand import keep_until_the_end, recorded
+from workbench.algorithms import catalogue
 from workbench.document.samples.arena import READY
 from workbench.document.subjects import Subject
 from workbench.engine.stopping import Stopped
@@ -15,8 +16,9 @@ from workbench.exchange.diagram_svg import write_diagram
 from workbench.exchange.diagrams import Drawing, Sentence
 from workbench.panels.space.arena import work
 from workbench.panels.space.arena.page import ArenaPage
-from workbench.panels.space.arena.tile import MethodTile, beside
+from workbench.panels.space.arena.tile import MethodTile, beside, together
 from workbench.panels.space.panel import SpacePanel
+from workbench.rendering.scene.counted import counted_text
 from workbench.rendering.scene.growth import Growth
 from workbench.session.session import Session
 
@@ -338,3 +340,28 @@ def test_a_large_count_does_not_run_into_the_time(page, more, said):
     text = beside("1,654,260 tests", "about 5.11 s", page.fontMetrics(), room)
     assert text == said
     assert wide(text) + wide("about 5.11 s") < room
+
+
+@pytest.mark.parametrize(
+    ("divided", "room", "said"),
+    [
+        ("1 box divided", "0 px differ1 box divided", ("0 px differ", "1 box divided")),
+        ("85 squares divided", "0 px differ85 divided", ("0 px differ", "85 divided")),
+        ("7,237 cells divided", "0 differ7,237 divided", ("0 differ", "7,237 divided")),
+        ("", "0 px differ", ("0 px differ", "")),
+    ],
+)
+def test_what_was_divided_is_said_whole_in_the_room_there_is(page, divided, room, said):
+    metrics = page.fontMetrics()
+    wide = metrics.horizontalAdvance(room) + 6
+    assert together("0 px differ", divided, metrics, wide) == said
+
+
+def test_counts_have_a_singular():
+    assert counted_text(1, "boxes divided") == "1 box divided"
+    assert counted_text(7237, "cells divided") == "7,237 cells divided"
+    assert counted_text(2, "octants gone into") == "2 octants gone into"
+    for entry in catalogue.entries():
+        if entry.topic in ("visibility", "solids"):
+            for what in (*entry.counted, *entry.keeps):
+                assert not counted_text(1, what).endswith("s") or what == "octants gone into"

@@ -25,7 +25,7 @@ def test_lines_are_laid_over_logarithms_and_the_one_spoken_of_is_told_first(qtbo
     x, y = plot._lines[0].getData()
     assert np.allclose(x, [1.0, 2.0])
     assert np.allclose(y, [-1.0, 0.0])  # milliseconds
-    assert plot.accessibleDescription() == "Painter's algorithm n^1.00; A-buffer n^−2.00"
+    assert plot.accessibleDescription() == "Painter's algorithm n^1.00; A-buffer n^−2.00; Back faces"
     numbers = plot.numbers()
     assert numbers is not None
     assert numbers.rows[0] == ("Painter's algorithm", 10, "0.1")
@@ -52,3 +52,32 @@ def test_a_low_plot_is_numbered_by_powers_of_ten_and_no_number_covers_another(qt
     qtbot.waitUntil(are_laid)
     assert not numbers[0][0].intersects(numbers[1][0])
     assert "●</span>&nbsp;Depth&nbsp;buffer&nbsp;n<sup>" in plot.caption.text()
+
+
+def test_every_line_has_its_name_and_a_look_of_its_own_and_decades_have_numbers(qtbot: QtBot) -> None:
+    plot = GrowthPlot()
+    qtbot.addWidget(plot)
+    plot.resize(460, 260)
+    plot.show()
+    curves = [
+        GrowthCurve(f"Method {k}", [(6000, 3e-4 * (k + 1)), (40000, 7e-4 * (k + 1))], None) for k in range(10)
+    ]
+    plot.show_curves(curves, "n pixels", "Method 3")
+    qtbot.waitUntil(lambda: plot._plot is not None, timeout=20_000)
+    looks = set()
+    for line in plot._lines:
+        pen, symbol = line.opts["pen"], line.opts["symbol"]
+        looks.add((pen.color().name(), pen.style()))
+        looks.add(symbol)
+    assert len(looks) == 20
+    assert all(curve.name.replace(" ", "&nbsp;") in plot.caption.text() for curve in curves)
+
+    def numbers() -> list[str]:
+        picture = QPixmap(460, 260)
+        painter = QPainter(picture)
+        specs = plot._plot.getAxis("left").generateDrawSpecs(painter)
+        painter.end()
+        return [text for _rect, _flags, text in specs[2]] if specs else []
+
+    qtbot.waitUntil(lambda: len(numbers()) >= 2)
+    assert numbers() == ["0.1", "1", "10¹"]

@@ -84,8 +84,8 @@ def _clip_view(edge: int, beyond: str) -> View:
         tables=_ENDS,
         options=_OPTIONS,
         answer=repr(decision),
-        sentence=f"{_BOTH}: or is {{bits(before.code_0 | before.code_1)}}, and is 0000, so neither accept "
-        "nor reject. "
+        sentence=f"{_BOTH}: OR gives {{bits(before.code_0 | before.code_1)}}, AND gives 0000, so neither "
+        "accept nor reject. "
         f"{{'P0' if before.code_0 else 'P1'}} {{{_END}}} is {beyond}: cut it off at {{{_CUT}}}, code "
         "{bits(code_0 if before.code_0 else code_1)}.",
     )
@@ -101,7 +101,7 @@ ENTRY = Entry(
     clips=LINES,
     emits="segments",
     source="Hearn and Baker, Computer Graphics, C Version, section 6-7",
-    columns=("k", "codes", "or", "and", "decision", "end", "intersection"),
+    columns=("k", "codes", "OR", "AND", "decision", "end", "intersection"),
     view_functions=(bits, crossings, others, pixels),
     views=(
         View(
@@ -116,7 +116,7 @@ ENTRY = Entry(
             tables=_ENDS,
             options=_OPTIONS,
             answer="'accept'",
-            sentence=f"{_BOTH}: or is 0000, so both ends are inside. Accept {{(x0, y0)}} to {{(x1, y1)}}.",
+            sentence=f"{_BOTH}: OR gives 0000, so both ends are inside. Accept {{(x0, y0)}} to {{(x1, y1)}}.",
         ),
         View(
             block=_LOOK,
@@ -127,7 +127,8 @@ ENTRY = Entry(
             tables=_ENDS,
             options=_OPTIONS,
             answer="'reject'",
-            sentence=f"{_BOTH}: and is {{bits(code_0 & code_1)}}, so both ends are beyond one edge. Reject.",
+            sentence=f"{_BOTH}: AND gives {{bits(code_0 & code_1)}}, so both ends are beyond one edge. "
+            "Reject.",
         ),
         _clip_view(TOP, "above the window"),
         _clip_view(BOTTOM, "below the window"),

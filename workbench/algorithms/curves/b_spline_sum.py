@@ -117,8 +117,8 @@ ENTRY = Entry(
     views=(
         View(
             block="Check the knots",
-            sentence="{n + 1} points of degree {degree} have {len(t)} knots; in the course's words n = {n}, "
-            "d = {degree + 1}, and n + d + 1 knots.",
+            sentence="A curve of degree {degree} with {n + 1} points has {len(t)} knots; in the course's "
+            "words n = {n}, d = {degree + 1}, and n + d + 1 knots.",
         ),
         View(
             block="Of order 1, only the function of the knot span of u is not 0",

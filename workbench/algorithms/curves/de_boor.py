@@ -90,8 +90,9 @@ ENTRY = Entry(
     views=(
         View(
             block="Check the knots",
-            sentence="{len(points)} points of degree {degree} have {len(knots)} knots; in the course's words "
-            "n = {len(points) - 1}, d = {degree + 1}, and n + d + 1 knots. Is u in span {span}?",
+            sentence="A curve of degree {degree} with {len(points)} points has {len(knots)} knots; in the "
+            "course's words n = {len(points) - 1}, d = {degree + 1}, and n + d + 1 knots. Is u in "
+            "span {span}?",
         ),
         NEXT_SPAN,
         View(

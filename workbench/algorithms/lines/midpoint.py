@@ -77,7 +77,7 @@ ENTRY = Entry(
             block="Plot the first end point",
             chosen="(pixel(x, y, steep),)",
             sentence="Start at {pixel(x, y, steep)}. F is a = {a} times {'y' if steep else 'x'} and b = {b} "
-            "times {'x' if steep else 'y'}; at the first midpoint 2F = 2a + b = {p}.",
+            "times {'x' if steep else 'y'}; at the first midpoint p = 2F = 2a + b = {p}.",
         ),
         View(
             block="Ask on which side the midpoint lies",
@@ -86,8 +86,8 @@ ENTRY = Entry(
             chosen=_CHOSEN,
             rejected="(pixel(x + step_x, y + step_y, steep),)",
             row=_ROW,
-            sentence="2F = {before.p} is negative: the midpoint is beyond the line, so the line is nearer to "
-            "{pixel(x + step_x, y, steep)}. Next 2F = {before.p} + 2a = {p}.",
+            sentence="p = {before.p} is negative: the midpoint is beyond the line, so the line is nearer to "
+            "{pixel(x + step_x, y, steep)}. Next p = {before.p} + 2a = {p}.",
         ),
         View(
             block="Ask on which side the midpoint lies",
@@ -96,8 +96,8 @@ ENTRY = Entry(
             chosen=_CHOSEN,
             rejected=_STRAIGHT,
             row=_ROW,
-            sentence="2F = {before.p}: the midpoint is on the line; as in Bresenham's, the diagonal is "
-            "taken, {pixel(x + step_x, y, steep)}. Next 2F = {before.p} + 2(a + b) = {p}.",
+            sentence="p = {before.p}: the midpoint is on the line; as in Bresenham's, the diagonal is "
+            "taken, {pixel(x + step_x, y, steep)}. Next p = {before.p} + 2(a + b) = {p}.",
         ),
         View(
             block="Ask on which side the midpoint lies",
@@ -105,8 +105,8 @@ ENTRY = Entry(
             chosen=_CHOSEN,
             rejected=_STRAIGHT,
             row=_ROW,
-            sentence="2F = {before.p} is positive: the midpoint is short of the line, so the line is nearer "
-            "to {pixel(x + step_x, y, steep)}. Next 2F = {before.p} + 2(a + b) = {p}.",
+            sentence="p = {before.p} is positive: the midpoint is short of the line, so the line is nearer "
+            "to {pixel(x + step_x, y, steep)}. Next p = {before.p} + 2(a + b) = {p}.",
         ),
     ),
     laws=(

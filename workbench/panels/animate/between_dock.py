@@ -25,7 +25,7 @@ from workbench.panels.animate.names import easing_titles, label_of
 from workbench.rendering.subjects.track import keys_around
 from workbench.widgets.fields.choice_box import ChoiceBox
 from workbench.widgets.look.tips import tell_choice
-from workbench.widgets.look.type_faces import code_font
+from workbench.widgets.look.type_faces import keep_code_font
 from workbench.widgets.timeline.easing_curve import EasingCurve
 
 
@@ -63,7 +63,7 @@ class BetweenDock(QScrollArea):
         self.note.setProperty("role", "muted")
         self.note.setWordWrap(True)
         self.sums = QLabel()
-        self.sums.setFont(code_font(12))
+        keep_code_font(self.sums, 12)
         self.sums.setWordWrap(True)
         self.sums.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.sums.setAccessibleName(_("Arithmetic of this frame"))

@@ -79,6 +79,7 @@ class AnimatePanel(SteppedPanel):
                 ("step_track", _("Step through the in-betweens"), "list-numbers", "", self._step_track),
             ],
         )
+        self.empty.lasting = True  # with every tool nothing moves yet
         self.card.fold()
 
     def _connect_timeline(self) -> None:

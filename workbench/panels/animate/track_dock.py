@@ -14,7 +14,7 @@ from workbench.widgets.canvas.drawing import Drawn
 from workbench.widgets.canvas.overlay import Handle
 from workbench.widgets.canvas.plane import Box, Plane
 from workbench.widgets.canvas.plane_view import PlaneView
-from workbench.widgets.look.type_faces import code_font
+from workbench.widgets.look.type_faces import keep_code_font
 
 USUAL_PX = 118
 _MARGIN = 0.06
@@ -59,7 +59,7 @@ class TrackDock(QScrollArea):
         self.fields.setSpacing(6)
         self.layout_below = QVBoxLayout()
         self.sums = QLabel()
-        self.sums.setFont(code_font(12))
+        keep_code_font(self.sums, 12)
         self.sums.setWordWrap(True)
         self.sums.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.sums.setAccessibleName(name)

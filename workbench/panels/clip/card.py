@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from msgspec.structs import replace
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QLabel, QPushButton, QWidget
+from PySide6.QtWidgets import QCheckBox, QGridLayout, QLabel, QPushButton, QWidget
 
 from workbench.algorithms import catalogue
 from workbench.document.edits import set_clip, set_clipper
@@ -17,6 +17,7 @@ from workbench.panels.stage.extent import no_extent
 from workbench.panels.stage.folding_card import fill_choices
 from workbench.panels.stage.tools import FigureTool
 from workbench.widgets.canvas.drawing import ink_of
+from workbench.widgets.fields.choice_box import ChoiceBox
 from workbench.widgets.fields.number_field import NumberField
 from workbench.widgets.look.tokens import tokens
 
@@ -50,7 +51,7 @@ class ClipCard(ParameterCard):
         self.complaint.setProperty("role", "error")
         self.complaint.hide()
         grid.addWidget(self.complaint, 2, 0, 1, 2)
-        self.clipper = QComboBox()
+        self.clipper = ChoiceBox()
         self.clipper.setAccessibleName(_("Clipping algorithm"))
         self.clipper.activated.connect(self._choose_clipper)
         self.codes = QCheckBox(_("Region codes"))

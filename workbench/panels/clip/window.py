@@ -178,6 +178,11 @@ class WindowTool(Tool):
         """What it is called."""
         return _("Clip window")
 
+    @property
+    def invitation(self) -> str:
+        """How to begin."""
+        return _("Drag on the canvas to draw the clip window.")
+
     def press(self, x: float, y: float, modifiers: Modifiers, reach: float) -> None:
         """One corner."""
         self._corner = snapped(x, y)
@@ -209,6 +214,11 @@ class PointTool(FigureTool):
     def title(self) -> str:
         """What it is called."""
         return _("Point")
+
+    @property
+    def invitation(self) -> str:
+        """How to begin."""
+        return _("Click on the canvas to place a point.")
 
     def press(self, x: float, y: float, modifiers: Modifiers, reach: float) -> None:
         """The point is there at once, and follows until the button comes up."""

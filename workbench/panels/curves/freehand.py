@@ -36,6 +36,11 @@ class FreehandTool(FigureTool):
         """What it is called."""
         return _("Freehand")
 
+    @property
+    def invitation(self) -> str:
+        """How to begin."""
+        return _("Drag on the canvas to draw a curve freehand.")
+
     def press(self, x: float, y: float, modifiers: Modifiers, reach: float) -> None:
         """Begin a stroke."""
         self._drawn = [(x, y)]
@@ -92,6 +97,11 @@ class ProbeTool(Tool):
     def title(self) -> str:
         """What it is called."""
         return _("Nearest point of the curve")
+
+    @property
+    def invitation(self) -> str:
+        """How to begin."""
+        return _("Draw a curve first; then its point nearest to the pointer is found.")
 
     def press(self, x: float, y: float, modifiers: Modifiers, reach: float) -> None:
         """Go to the u of the nearest point."""

@@ -26,7 +26,7 @@ class TubeInstruments(QWidget):
         self.current = TracePlot(_("Beam current"), _("of full"), 1)
         self.across = TracePlot(_("Deflection x"), "mm", 0)
         self.up = TracePlot(_("Deflection y"), "mm", 0)
-        self.light = TracePlot(_("Light at the probe"), _("of its mean"), 2)
+        self.light = TracePlot(_("Light at the probe"), _("× mean"), 2)
         self.current.setToolTip(_("The current that the gun sends now; zero while the beam is blanked."))
         self.across.setToolTip(
             _("Where the deflection points the beam sideways, from the middle of the face.")

@@ -5,7 +5,7 @@ wrong with a seed, said in place.
 from collections.abc import Sequence
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QWidget
+from PySide6.QtWidgets import QCheckBox, QLabel, QWidget
 
 from workbench.algorithms import catalogue
 from workbench.algorithms.entry import CALLS
@@ -19,6 +19,7 @@ from workbench.panels.stage.gesture import snapped
 from workbench.panels.stage.picture import themed
 from workbench.panels.stage.tools import FigureTool
 from workbench.rendering import figure_map
+from workbench.widgets.fields.choice_box import ChoiceBox
 from workbench.widgets.fields.swatches import Swatches
 from workbench.widgets.look.tokens import tokens
 
@@ -30,7 +31,7 @@ class FillCard(ParameterCard):
 
     def more_rows(self) -> list[QWidget]:
         """Rules of a polygon, colours, recursion limit, heat map, and what is wrong."""
-        self.extent = QComboBox()
+        self.extent = ChoiceBox()
         self.extent.setAccessibleName(_("Which boundary pixels belong to it"))
         self.extent.setToolTip(
             _("Half-open: areas side by side neither overlap nor leave a gap. Closed: boundary included.")
@@ -38,7 +39,7 @@ class FillCard(ParameterCard):
         self.extent.addItem(_("Half-open"), False)
         self.extent.addItem(_("Closed, with its boundary"), True)
         self.extent.activated.connect(lambda: self._put("closed_interior", self.extent.currentData()))
-        self.interior = QComboBox()
+        self.interior = ChoiceBox()
         self.interior.setAccessibleName(_("What is inside"))
         self.interior.setToolTip(_("How crossings decide what is inside"))
         self.interior.addItem(_("Inside: even-odd"), False)

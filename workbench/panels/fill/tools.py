@@ -114,6 +114,11 @@ class BrushTool(PolylineTool):
         """What it is called."""
         return _("Brush")
 
+    @property
+    def invitation(self) -> str:
+        """How to begin."""
+        return _("Drag on the canvas to paint freehand.")
+
     def press(self, x: float, y: float, modifiers: Modifiers, reach: float) -> None:
         """Begin a stroke."""
         self._closed, self._cells = False, [snapped(x, y)]
@@ -173,6 +178,11 @@ class SeedTool(FigureTool):
     def title(self) -> str:
         """What it is called."""
         return _("Seed fill")
+
+    @property
+    def invitation(self) -> str:
+        """How to begin."""
+        return _("Click where the fill begins; draw a boundary around it first, or it takes the whole sheet.")
 
     def press(self, x: float, y: float, modifiers: Modifiers, reach: float) -> None:
         """Fill from here, or say why not."""
@@ -250,6 +260,11 @@ class InsideTool(Tool):
     def title(self) -> str:
         """What it is called."""
         return _("Inside or outside?")
+
+    @property
+    def invitation(self) -> str:
+        """How to begin."""
+        return _("Draw a polygon first; then click a point to ask whether it is inside.")
 
     def polygon(self) -> Polygon | None:
         """The polygon that is asked about: the active one, or else the front one."""

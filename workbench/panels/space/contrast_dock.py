@@ -14,6 +14,8 @@ from workbench.rendering.scene.contrast import Contrast, Row, contrast
 from workbench.widgets.look.empty_view import EmptyView
 from workbench.widgets.look.in_sight import InSight
 from workbench.widgets.look.scrolled import scrolled
+from workbench.widgets.look.tokens import CAPTION_PX
+from workbench.widgets.look.type_faces import scaled
 from workbench.widgets.tables.feature_table import FeatureTable
 
 _PARALLEL, _PERSPECTIVE = 1, 2
@@ -136,7 +138,7 @@ class ContrastDock(QWidget):
             )
             also = _("A unit along x, y and z is as long as: {lengths}.").format(lengths=lengths)
             but = f"<b>{_('But:')}</b> {row.but}<br>" if row.but else ""
-            self.note.setText(f"{but}<span style='font-size: 11px'>{also}</span>")
+            self.note.setText(f"{but}<span style='font-size: {scaled(CAPTION_PX)}px'>{also}</span>")
         self.marked.emit(segments if self.in_sight.now else segments[:0])
 
     def content(self) -> list[tuple[str, Table]]:

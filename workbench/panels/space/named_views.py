@@ -1,7 +1,6 @@
 """The named views of a scene: kept, gone to, renamed and removed, in a list or by commands."""
 
 from functools import partial
-from itertools import count
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QAction, QKeySequence, QShortcut
@@ -19,6 +18,7 @@ from PySide6.QtWidgets import (
 
 from workbench.document.building import Edit
 from workbench.document.errors import DocumentError
+from workbench.document.names import free_name
 from workbench.document.scene.edits import add_named_view, remove_thing, rename_thing
 from workbench.document.scene.looking import kind_of, kinds
 from workbench.document.scene.model import Camera, NamedView, Scene
@@ -146,7 +146,7 @@ class NamedViewsDock(QWidget):
         if scene is None:
             self.said.emit(_("This sheet has no scene; add an object first."))
             return
-        name = _free_name(_title(scene.camera), {view.name for view in scene.named_views})
+        name = free_name(_title(scene.camera), {view.name for view in scene.named_views})
         if self._apply(add_named_view(sheet.id, scene.camera, name), _("Name a view")):
             self._looking.session.flush()
             self.show_scene(self._looking.scene or Scene())
@@ -221,9 +221,3 @@ def _title(camera: Camera) -> str:
     except ValueError:  # it sees nothing now
         kind = camera.projection
     return next((each.title for each in kinds() if each.slug == kind), kind)
-
-
-def _free_name(name: str, taken: set[str]) -> str:
-    """``name``, or where it is taken, with the first number that makes it another."""
-    numbered = (f"{name} {number}" for number in count(2))
-    return name if name not in taken else next(each for each in numbered if each not in taken)

@@ -23,7 +23,7 @@ from workbench.geometry.meshes import Mesh
 from workbench.language import _
 from workbench.widgets.look.empty_view import EmptyView
 from workbench.widgets.look.in_sight import InSight
-from workbench.widgets.look.type_faces import code_font
+from workbench.widgets.look.type_faces import keep_code_font
 
 Index = QModelIndex | QPersistentModelIndex
 _NOWHERE = QModelIndex()
@@ -138,7 +138,7 @@ class PolygonTablesView(QWidget):
         self.table = QTableView()
         self._rows = _Rows()
         self.table.setModel(self._rows)
-        self.table.setFont(code_font(12))
+        keep_code_font(self.table, 12)
         self.table.verticalHeader().hide()
         self.table.verticalHeader().setDefaultSectionSize(20)
         self.table.horizontalHeader().setDefaultSectionSize(78)

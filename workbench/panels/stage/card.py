@@ -6,7 +6,6 @@ from contextlib import suppress
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
     QCheckBox,
-    QComboBox,
     QGridLayout,
     QLabel,
     QWidget,
@@ -38,7 +37,9 @@ from workbench.panels.stage.tools import FigureTool
 from workbench.panels.stage.transform_form import TransformForm
 from workbench.rendering import REACH_PX, reach_of
 from workbench.session.session import Session
+from workbench.widgets.fields.choice_box import ChoiceBox
 from workbench.widgets.fields.number_field import NumberField
+from workbench.widgets.look.tips import tell_choice
 
 _MOST_POINTS = 6
 
@@ -105,13 +106,15 @@ class ParameterCard(FoldingCard):
         self._shown: tuple[object, ...] = ()
         self._fields: dict[str, NumberField] = {}
         self._size: tuple[NumberField, NumberField] | None = None
-        self.algorithm = QComboBox()
+        self.algorithm = ChoiceBox()
         self.algorithm.setAccessibleName(_("Algorithm"))
         self.algorithm.setToolTip(_("The algorithm that draws it"))
+        tell_choice(self.algorithm)
         self.algorithm.activated.connect(self._choose_algorithm)
-        self.compare = QComboBox()
+        self.compare = ChoiceBox()
         self.compare.setAccessibleName(_("Compare with"))
         self.compare.setToolTip(_("A second algorithm on the same input"))
+        tell_choice(self.compare)
         self.compare.activated.connect(self._choose_compare)
         self.side_by_side = QCheckBox(_("Side by side"))
         self.side_by_side.setToolTip(_("Two pictures side by side instead of one on top of the other"))

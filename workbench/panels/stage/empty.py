@@ -27,6 +27,9 @@ class EmptyState(QFrame):
     ) -> None:
         super().__init__(canvas)
         self.setObjectName("card")
+        self._invitation = invitation
+        self.lasting = False
+        """Whether the invitation is said whatever tool is taken up."""
         self.sentence = QLabel(invitation)
         self.sentence.setWordWrap(True)
         self.sentence.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
@@ -47,6 +50,13 @@ class EmptyState(QFrame):
         if event.type() in (QEvent.Type.Resize, QEvent.Type.Show):
             self._centre()
         return False
+
+    def follow(self, tool: str) -> None:
+        """Say what a tool says of itself, or the invitation where that is nothing."""
+        said = self._invitation if self.lasting else tool or self._invitation
+        if said != self.sentence.text():
+            self.sentence.setText(said)
+            self._centre()
 
     def setVisible(self, visible: bool) -> None:
         """Shown in the middle."""

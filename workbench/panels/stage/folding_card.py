@@ -102,7 +102,7 @@ class FoldingCard(QFrame):
         needed = body.totalHeightForWidth(wide) if body.hasHeightForWidth() else body.totalSizeHint().height()
         hidden = self._area.isHidden()
         around = layout.totalSizeHint().height() - (0 if hidden else self._area.minimumHeight())
-        room = max(self._canvas.height() - self.y() - _BELOW_PX - around, 0)
+        room = max(self._ends_at() - self.y() - _BELOW_PX - around, 0)
         scrolls = needed > room and not hidden
         self._area.setFixedHeight(min(needed, room))
         width = self._wide + (self._area.verticalScrollBar().sizeHint().width() if scrolls else 0)
@@ -111,6 +111,13 @@ class FoldingCard(QFrame):
         self.resize(width, layout.totalSizeHint().height())
         if changed:
             self.folded.emit(hidden)
+
+    def _ends_at(self) -> int:
+        """Where the picture ends, above the numbers of its axis."""
+        area = getattr(self._canvas, "area", None)
+        if area is None:
+            return self._canvas.height()
+        return min(self._canvas.height(), int(area.bottom / self._canvas.devicePixelRatioF()))
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Over a narrow picture it is folded, until somebody opens it, so that the picture is seen."""

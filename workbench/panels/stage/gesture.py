@@ -124,6 +124,11 @@ class Tool(Gesture):
         """What it is called."""
         return ""
 
+    @property
+    def invitation(self) -> str:
+        """How to draw with it on an empty sheet; with one that draws nothing, what to do instead."""
+        return _("Choose a tool on the left to draw something.")
+
     def press(self, x: float, y: float, modifiers: Modifiers, reach: float) -> None:
         """The left button came down; ``reach`` is how near counts as on a figure."""
 

@@ -218,6 +218,7 @@ class FigurePanel(ChosenFigures, QWidget):
         self._say_zoom()
         self.show_now()
         self.empty.low = bool(self.session.sheet.figures)
+        self.empty.follow("" if self.tool.name == self.first_tool else self.tool.invitation)
         self.empty.setVisible(not self.gesturing and not self._serves_here())
         chosen = self.selected() if self.isVisible() else []
         for name in {"cut", "delete", "duplicate", "forwards", "backwards"} & self._actions.keys():

@@ -188,6 +188,11 @@ class LineTool(FigureTool):
         """What it is called."""
         return _("Line")
 
+    @property
+    def invitation(self) -> str:
+        """How to begin."""
+        return _("Drag on the canvas to draw a line.")
+
     def figure(self, cells: list[Cell]) -> AnyFigure | None:
         """A line between the first and the last cell."""
         ends = [cells[0], cells[-1]]
@@ -203,6 +208,11 @@ class CircleTool(FigureTool):
     def title(self) -> str:
         """What it is called."""
         return _("Circle")
+
+    @property
+    def invitation(self) -> str:
+        """How to begin."""
+        return _("Drag on the canvas from the centre of a circle outwards.")
 
     def measure(self, start: Cell, end: Cell) -> str:
         """The radius."""
@@ -227,6 +237,11 @@ class EllipseTool(FigureTool):
     def title(self) -> str:
         """What it is called."""
         return _("Ellipse")
+
+    @property
+    def invitation(self) -> str:
+        """How to begin."""
+        return _("Drag on the canvas from the centre of an ellipse outwards.")
 
     def measure(self, start: Cell, end: Cell) -> str:
         """Both radii."""
@@ -262,6 +277,11 @@ class PolylineTool(FigureTool):
     def title(self) -> str:
         """What it is called."""
         return _("Polyline")
+
+    @property
+    def invitation(self) -> str:
+        """How to begin."""
+        return _("Click the points of a polyline one after another; Enter ends it.")
 
     def press(self, x: float, y: float, modifiers: Modifiers, reach: float) -> None:
         """Another point."""
@@ -313,6 +333,11 @@ class PolygonTool(PolylineTool):
     def title(self) -> str:
         """What it is called."""
         return _("Polygon")
+
+    @property
+    def invitation(self) -> str:
+        """How to begin."""
+        return _("Click the corners of a polygon one after another; Enter closes it.")
 
     def _make(self, cells: list[Cell]) -> None:
         scale = device_map(self.session.sheet)

@@ -14,6 +14,7 @@ from workbench.panels.transform.rows import Row
 from workbench.widgets.formulas.matrix_row import MatrixRow
 from workbench.widgets.formulas.row_surface import Highlight
 from workbench.widgets.look.tokens import CAPTION_PX
+from workbench.widgets.look.type_faces import scaled
 
 _UPRIGHT_PX, _NARROW_PX = 1, 660
 
@@ -81,10 +82,16 @@ class Matrices(QScrollArea):
         """Whether notes are left out and the type is that of captions."""
         return self.viewport().width() < _NARROW_PX
 
+    def changeEvent(self, event: QEvent) -> None:
+        """Its rows follow the type of the program."""
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            self._choose_type()
+
     def _choose_type(self) -> None:
         font = QFont(self.font())
         if self.narrow:
-            font.setPixelSize(CAPTION_PX)
+            font.setPixelSize(scaled(CAPTION_PX))
         for view in self.views:
             if view.font() != font:
                 view.setFont(font)

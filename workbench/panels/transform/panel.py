@@ -57,7 +57,7 @@ class TransformPanel(SteppedPanel):
         super().__init__(session, [kind(session) for kind in kinds], parent)
         self.title = _("Transform")
         self.handle_drag = PointDrag(session)
-        self.canvas.worthwhile = 0.7
+        self.canvas.worthwhile = 0.4
         self.card = TransformCard(session, self.canvas)
         self.chain, self.matrices, self.whole = ChainDock(session), Matrices(), WholeDock()
         self.space = SpacePage(session)
@@ -142,6 +142,7 @@ class TransformPanel(SteppedPanel):
         self.setFocusProxy(self.space.view if in_space else self.canvas)
         self._enable()
         self._take_run()
+        self._take_tool_when_empty()
         self.refresh()
 
     def _enable(self) -> None:

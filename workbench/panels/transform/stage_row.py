@@ -9,8 +9,8 @@ from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QWidget
 
 from workbench.language import _
 from workbench.widgets.canvas.drawing import PATTERNS, Pattern, ink_of
-from workbench.widgets.look.tokens import RADIUS, colour, theme, tokens
-from workbench.widgets.look.type_faces import code_font
+from workbench.widgets.look.tokens import CAPTION_PX, RADIUS, colour, theme, tokens
+from workbench.widgets.look.type_faces import keep_code_font, scaled
 
 _SCRIPT = re.compile(r"_(?:\{([^}]*)\}|(\w))")
 _BADGE, _LINE_PX = 20, 22
@@ -45,7 +45,7 @@ class Badge(QWidget):
         painter.drawEllipse(box)
         painter.setPen(QColor(tokens().text))
         font = self.font()
-        font.setPixelSize(11)
+        font.setPixelSize(scaled(CAPTION_PX))
         font.setBold(True)
         painter.setFont(font)
         painter.drawText(box, Qt.AlignmentFlag.AlignCenter, str(self._number))
@@ -62,7 +62,7 @@ class StageRow(QFrame):
         self.number = number
         self._lit = False
         self.symbols, self.numbers, self.words = QLabel(), QLabel(), QLabel()
-        self.numbers.setFont(code_font(12))
+        keep_code_font(self.numbers, 12)
         self.words.setProperty("role", "muted")
         row = QHBoxLayout(self)
         row.setContentsMargins(4, 1, 4, 1)

@@ -11,6 +11,7 @@ from workbench.panels.viewing.rectangles import rectangles
 from workbench.session.session import Session
 from workbench.widgets.formulas.matrix_row import MatrixRow
 from workbench.widgets.formulas.row_surface import Highlight
+from workbench.widgets.look.type_faces import scaled, type_scale
 
 SIZE_PX, UPRIGHT_PX = 12, 3
 _MERGE = "matrix in View"
@@ -36,13 +37,18 @@ class Matrices(QWidget):
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
         for row in (self.symbols, self.numbers):
-            font = row.font()
-            font.setPixelSize(SIZE_PX)
-            row.setFont(font)
             row.copied.connect(self.copied)
             row.edited.connect(self._rewrite)
             row.edit_ended.connect(self._end)
             column.addWidget(row)
+        type_scale.changed.connect(self._take_type)
+        self._take_type()
+
+    def _take_type(self) -> None:
+        for row in (self.symbols, self.numbers):
+            font = row.font()
+            font.setPixelSize(scaled(SIZE_PX))
+            row.setFont(font)
 
     def refresh(self, view: View, before: View | None) -> None:
         """Show the matrices of a view; the cells are lit that differ from those ``before`` a drag."""

@@ -10,6 +10,7 @@ from workbench.algorithms import catalogue
 from workbench.algorithms.numerals import with_minus
 from workbench.language import _
 from workbench.rendering.scene.arena import MethodRun, space_of
+from workbench.rendering.scene.counted import counted_text
 from workbench.rendering.scene.growth import Growth
 
 NOT_YET = "–"
@@ -106,8 +107,8 @@ def _precision(measures: Measures) -> SpaceRow:
     said = [_("that of the coordinates: the same for a picture of any size"), _("that of the pixels")]
     for side, methods in enumerate(_sides(measures.twice)):
         divided = [
-            _("{title} {n:,} {what}, then {m:,}").format(
-                title=title_of(each), n=n, what=_(what), m=measures.twice[each].counted[what]
+            _("{title} {counted}, then {m:,}").format(
+                title=title_of(each), counted=counted_text(n, what), m=measures.twice[each].counted[what]
             )
             for each in methods
             if each in measures.runs

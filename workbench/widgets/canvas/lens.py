@@ -12,7 +12,7 @@ from workbench.language import _
 from workbench.widgets.canvas.overlay import Cell
 from workbench.widgets.canvas.surface import CanvasSurface
 from workbench.widgets.look.tokens import CAPTION_PX, RADIUS, colour, theme_changed, tokens
-from workbench.widgets.look.type_faces import code_font
+from workbench.widgets.look.type_faces import code_font, scaled
 
 SIDE = 5
 _ROW_PX, _LABEL_PX, _PAD, _NOTCH = 18, 26, 8, 6
@@ -48,7 +48,8 @@ class Lens(QWidget):
 
     def sizeHint(self) -> QSize:
         """Room for the widest number."""
-        return QSize(_LABEL_PX + SIDE * self._cell_width() + 2 * _PAD, (SIDE + 2) * _ROW_PX + 2 * _PAD)
+        wide = scaled(_LABEL_PX) + SIDE * self._cell_width()
+        return QSize(wide + 2 * _PAD, (SIDE + 2) * _ROW_PX + 2 * _PAD)
 
     def _cell_width(self) -> int:
         texts = [] if self.cells is None else [text or "" for row in self.cells.texts for text in row]
@@ -95,7 +96,7 @@ class Lens(QWidget):
         painter.setBrush(colour(now.raised, 245))
         painter.drawRoundedRect(QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5), RADIUS, RADIUS)
         caption = QFont(self.font())
-        caption.setPixelSize(CAPTION_PX)
+        caption.setPixelSize(scaled(CAPTION_PX))
         wide, half = self._cell_width(), SIDE // 2
         centre = Qt.AlignmentFlag.AlignCenter
         painter.setFont(caption)
@@ -106,16 +107,15 @@ class Lens(QWidget):
             cells.title,
         )
         for k in range(SIDE):
-            x, y = _PAD + _LABEL_PX + k * wide, _PAD + (SIDE + 1 - k) * _ROW_PX
+            x, y = _PAD + scaled(_LABEL_PX) + k * wide, _PAD + (SIDE + 1 - k) * _ROW_PX
             column, row = cells.middle[0] - half + k, cells.middle[1] - half + k
             painter.drawText(QRectF(x, _PAD + _ROW_PX, wide, _ROW_PX), centre, str(column))
-            painter.drawText(QRectF(_PAD, y, _LABEL_PX, _ROW_PX), centre, str(row))
+            painter.drawText(QRectF(_PAD, y, scaled(_LABEL_PX), _ROW_PX), centre, str(row))
         painter.setFont(code_font(CAPTION_PX))
         for row in range(SIDE):
             for column in range(SIDE):
-                box = QRectF(
-                    _PAD + _LABEL_PX + column * wide, _PAD + (SIDE + 1 - row) * _ROW_PX, wide - 1, _ROW_PX - 1
-                )
+                x, y = _PAD + scaled(_LABEL_PX) + column * wide, _PAD + (SIDE + 1 - row) * _ROW_PX
+                box = QRectF(x, y, wide - 1, _ROW_PX - 1)
                 self._cell(painter, cells, row, column, box)
         painter.end()
 

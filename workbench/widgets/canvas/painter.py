@@ -15,10 +15,10 @@ from workbench.widgets.canvas.mark_styles import sized
 from workbench.widgets.canvas.marks import paint_handles, paint_marks
 from workbench.widgets.canvas.overlay import Overlay
 from workbench.widgets.canvas.view import Area, CanvasView
-from workbench.widgets.look.tokens import Tokens, colour
+from workbench.widgets.look.tokens import CAPTION_PX, Tokens, colour
+from workbench.widgets.look.type_faces import scaled
 
 GRID_FROM, GAP_FROM = 6, 8
-CAPTION = 11
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,7 +43,7 @@ class Scene:
     def caption(self) -> QFont:
         """The font of axis numbers and labels, for a painter that draws in screen pixels."""
         font = QFont(self.font)
-        font.setPixelSize(max(1, round(CAPTION * self.unit)))
+        font.setPixelSize(max(1, round(scaled(CAPTION_PX) * self.unit)))
         return font
 
 

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from workbench.language import _
 from workbench.widgets.canvas.surface import CanvasSurface
 from workbench.widgets.look.tokens import CAPTION_PX, colour, theme_changed, tokens
+from workbench.widgets.look.type_faces import scaled
 
 HEIGHT, LEAST_HEIGHT = 104, 72
 _TOP, _BOTTOM = 18, 18
@@ -71,7 +72,7 @@ class RowDepths(QWidget):
         painter, now = QPainter(self), tokens()
         painter.fillRect(event.rect(), colour(now.surface))
         font = QFont(self.font())
-        font.setPixelSize(CAPTION_PX)
+        font.setPixelSize(scaled(CAPTION_PX))
         painter.setFont(font)
         left = self._canvas.area.left / self._canvas.devicePixelRatioF()
         box = QRectF(left, _TOP, self.width() - left - 4, self.height() - _TOP - _BOTTOM)

@@ -10,8 +10,10 @@ from PySide6.QtCore import QPointF, QRect
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QImage, QPainter
 
 from workbench.widgets.canvas.overlay import Cell, Overlay
-from workbench.widgets.canvas.painter import CAPTION, Scene
+from workbench.widgets.canvas.painter import Scene
 from workbench.widgets.canvas.view import label_step
+from workbench.widgets.look.tokens import CAPTION_PX
+from workbench.widgets.look.type_faces import scaled
 
 _PLAIN = Overlay()
 
@@ -20,7 +22,7 @@ _PLAIN = Overlay()
 def ruler_sizes(scene_font: QFont, size: tuple[int, int], unit: float) -> tuple[int, int]:
     """Width of the left ruler and height of the lower one, in screen pixels."""
     font = QFont(scene_font)
-    font.setPixelSize(max(1, round(CAPTION * unit)))
+    font.setPixelSize(max(1, round(scaled(CAPTION_PX) * unit)))
     metrics = QFontMetricsF(font)
     digits = len(str(max(1, size[1] - 1)))
     return round(metrics.horizontalAdvance("0" * max(2, digits)) + 10 * unit), round(

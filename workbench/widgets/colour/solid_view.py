@@ -23,6 +23,7 @@ from workbench.widgets.canvas.pixel_canvas import ARROWS
 from workbench.widgets.colour.solids import Floats, Model, Triple, solid, turned
 from workbench.widgets.look.plain_keys import is_plain
 from workbench.widgets.look.tokens import CAPTION_PX, colour, theme, tokens
+from workbench.widgets.look.type_faces import scaled
 
 _PER_PX = 0.6  # degrees
 _STEP, _FAR = 5.0, 30.0
@@ -176,7 +177,7 @@ class SolidView(QWidget):
     def _paint_axes(self, painter: QPainter, lettered: bool) -> None:
         """The axes, or the letters at their ends, which nothing covers."""
         font = QFont(painter.font())
-        font.setPixelSize(CAPTION_PX)
+        font.setPixelSize(scaled(CAPTION_PX))
         font.setBold(True)
         painter.setFont(font)
         for start, end, letter in self._solid.axes:

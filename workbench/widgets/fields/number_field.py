@@ -6,7 +6,6 @@ import re
 from PySide6.QtCore import QEvent, QObject, QPointF, QRect, Qt, Signal
 from PySide6.QtGui import (
     QFocusEvent,
-    QFontDatabase,
     QFontMetrics,
     QKeyEvent,
     QKeySequence,
@@ -27,7 +26,7 @@ from PySide6.QtWidgets import (
 from workbench.algorithms.numerals import with_minus
 from workbench.language import _
 from workbench.widgets.fields.arithmetic import evaluate
-from workbench.widgets.look.type_faces import code_font
+from workbench.widgets.look.type_faces import code_font, keep_code_font, type_scale
 
 SCRUB_PX = 4
 _FRAME_PX = 21  # around the digits
@@ -176,12 +175,14 @@ class NumberField(QWidget):
         self.label = _ScrubLabel(with_subscript(label))
         self.label.setToolTip(_("Drag sideways to change {name}.").format(name=label))
         self.field = EntryLine()
-        self.field.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
+        keep_code_font(self.field)
         self.field.setAlignment(Qt.AlignmentFlag.AlignRight)
         self.field.setAccessibleName(meaning or label)
         self._tip = _("{meaning}: type a number or arithmetic such as 30/2.").format(meaning=meaning or label)
         self.field.setToolTip(self._tip)
-        self.field.setFixedWidth(QFontMetrics(code_font()).horizontalAdvance("0" * digits) + _FRAME_PX)
+        self._digits = digits
+        type_scale.changed.connect(self._fit)
+        self._fit()
         self.label.setBuddy(self.field)
         self.unit = QLabel(unit, self)
         self.unit.setProperty("role", "muted")
@@ -301,6 +302,11 @@ class NumberField(QWidget):
             self._value = value
             self._show()
             self.scrubbed.emit(value)
+
+    def _fit(self) -> None:
+        """Its digits have room in the field."""
+        wide = QFontMetrics(code_font()).horizontalAdvance("0" * self._digits)
+        self.field.setFixedWidth(wide + _FRAME_PX)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Up and down step the value (Shift by ten), Escape brings it back."""

@@ -183,7 +183,8 @@ class MatrixRow(RowSurface):
         self.set_current(place)
         self._typing = place
         shown = with_minus(f"{value + 0.0:.10g}")
-        font = code_font(max(self._sizes))
+        font = code_font()
+        font.setPixelSize(max(self._sizes))
         self.editor.open_at(
             self.cell_box(place), shown if text is None else text, self.described(place), font
         )

@@ -15,6 +15,7 @@ from workbench.exchange.formulas.terms import Matrix, Place, Shows, Term, Terms
 from workbench.widgets.canvas.drawing import ink_of
 from workbench.widgets.formulas.typesetting import QtMetrics, paint_primitives, typesetter_of
 from workbench.widgets.look.tokens import CAPTION_PX, colour, theme, tokens
+from workbench.widgets.look.type_faces import scaled
 
 MARGIN = 8
 _TINT = 34
@@ -126,7 +127,7 @@ class RowSurface(QWidget):
     @property
     def _sizes(self) -> range:
         """Sizes of type, logical pixels, the proper one first."""
-        return range(self._base, min(CAPTION_PX, self._base) - 1, -1)
+        return range(self._base, min(scaled(CAPTION_PX), self._base) - 1, -1)
 
     def _laid(self, width: float) -> LaidRow:
         """The row in a widget of this width."""

@@ -6,6 +6,7 @@ from html import escape
 from typing import Any, NamedTuple
 
 import numpy as np
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QWidget
 
@@ -15,8 +16,17 @@ from workbench.language import _
 from workbench.widgets.look.tokens import tokens
 from workbench.widgets.plots.plot import Plot, pen_of
 
-_SYMBOLS = ("o", "s", "t", "d", "+", "x", "star", "h", "p")
-_NAMED, _PLAIN_PX, _STRONG_PX, _NUMBER_PX = 3, 1.2, 2.6, 40
+_SYMBOLS = {
+    "o": "●", "s": "■", "t": "▼", "d": "◆", "star": "★", "t1": "▲", "+": "✚", "x": "✖", "h": "⬢", "p": "⬟",
+}  # fmt: skip
+_PLAIN_PX, _STRONG_PX, _NUMBER_PX = 1.2, 2.6, 40
+
+
+def _look(number: int) -> tuple[str, str, Qt.PenStyle]:
+    """Colour, symbol and pen of a line by its number: no two of the first ten have the same."""
+    inks = tokens().data
+    style = Qt.PenStyle.SolidLine if number // len(inks) % 2 == 0 else Qt.PenStyle.DashLine
+    return inks[number % len(inks)], list(_SYMBOLS)[number % len(_SYMBOLS)], style
 
 
 class GrowthCurve(NamedTuple):
@@ -36,6 +46,7 @@ class GrowthPlot(Plot):
         self._unit = ""
         self._strong = ""
         self._lines: list[Any] = []
+        self._decades: tuple[int, int] | None = None
         self._say()
 
     def show_curves(self, curves: Sequence[GrowthCurve], unit: str, strong: str) -> None:
@@ -79,31 +90,44 @@ class GrowthPlot(Plot):
         self._lines = []
         self._label_axes(_("ms"), self._unit)
         self._plot.setVisible(bool(self._curves))
-        inks = tokens().data
+        self._show_decades()
         for k, curve in enumerate(self._curves):
             points = np.array([(n, seconds * 1e3) for n, seconds in curve.points if seconds > 0], np.float64)
             if not len(points):
                 continue
-            ink, strong = QColor(inks[k % len(inks)]), curve.name == self._strong
+            (of_line, symbol, style), strong = _look(k), curve.name == self._strong
+            ink = QColor(of_line)
             line = self._plot.plot(
-                points[:, 0], points[:, 1], pen=pen_of(ink, _STRONG_PX if strong else _PLAIN_PX),
-                symbol=_SYMBOLS[k % len(_SYMBOLS)], symbolSize=9 if strong else 6, symbolBrush=ink,
-                symbolPen=None, antialias=True,
+                points[:, 0], points[:, 1], pen=pen_of(ink, _STRONG_PX if strong else _PLAIN_PX, style),
+                symbol=symbol, symbolSize=9 if strong else 6, symbolBrush=ink, symbolPen=None, antialias=True,
             )  # fmt: skip
             line.setZValue(1 if strong else 0)
             self._lines.append(line)
 
+    def _show_decades(self) -> None:
+        """Whole decades of time, so that two powers of ten at least have numbers."""
+        times = [seconds * 1e3 for curve in self._curves for _n, seconds in curve.points if seconds > 0]
+        if not times:
+            return
+        low, high = math.floor(math.log10(min(times))), math.ceil(math.log10(max(times)))
+        decades = low, max(high, low + 1)
+        if decades != self._decades:  # else somebody may have zoomed in
+            self._decades = decades
+            self._plot.setYRange(*decades, padding=0.04)
+
     def _say(self) -> None:
-        """The one that is spoken of, then the steepest others."""
-        now = tokens()
-        fitted = [(k, curve) for k, curve in enumerate(self._curves) if curve.power is not None]
-        fitted.sort(key=lambda pair: (pair[1].name != self._strong, -(pair[1].power or 0.0)))
+        """The one that is spoken of, then the others, the steepest first, those without a power last."""
+        of_power = [(k, curve, curve.power) for k, curve in enumerate(self._curves)]
+        of_power.sort(key=lambda each: (each[1].name != self._strong, each[2] is None, -(each[2] or 0.0)))
         said, plain = [], []
-        for k, curve in fitted[: _NAMED + 1]:
-            power, ink = with_minus(f"{curve.power:.2f}"), now.data[k % len(now.data)]
-            plain.append(f"{curve.name} n^{power}")
-            name = f"{escape(curve.name)} n".replace(" ", "&nbsp;")  # a line ends between two of them
-            said.append(f'<span style="color:{ink}">●</span>&nbsp;{name}<sup>{power}</sup>')
+        for k, curve, power in of_power:
+            ink, symbol, _style = _look(k)
+            raised = "" if power is None else with_minus(f"{power:.2f}")
+            plain.append(f"{curve.name} n^{raised}" if raised else curve.name)
+            name = escape(f"{curve.name} n" if raised else curve.name)
+            name = name.replace(" ", "&nbsp;")  # a line ends between two of them
+            mark = f'<span style="color:{ink}">{_SYMBOLS[symbol]}</span>'
+            said.append(f"{mark}&nbsp;{name}<sup>{raised}</sup>" if raised else f"{mark}&nbsp;{name}")
         self.say(
             " · ".join(said) or _("Measure the times to see how they grow."),
             "; ".join(plain) or _("Nothing is measured yet."),

@@ -20,6 +20,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from workbench.language import _
 from workbench.widgets.look.plain_keys import is_plain
 from workbench.widgets.look.tokens import CAPTION_PX, colour, theme, tokens
+from workbench.widgets.look.type_faces import scaled
 from workbench.widgets.plots.parameter_axis import (
     GRAB_PX,
     LEFT_PX,
@@ -262,7 +263,7 @@ class ParameterBar(QWidget):
     def _prepare(self, painter: QPainter) -> None:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         font = QFont(self.font())
-        font.setPixelSize(CAPTION_PX)
+        font.setPixelSize(scaled(CAPTION_PX))
         painter.setFont(font)
 
     def _say(self, painter: QPainter) -> None:

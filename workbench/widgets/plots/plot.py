@@ -24,6 +24,7 @@ from workbench.language import _
 from workbench.widgets.look.plain_keys import is_plain
 from workbench.widgets.look.tips import plain_tip
 from workbench.widgets.look.tokens import CAPTION_PX, colour, theme_changed, tokens
+from workbench.widgets.look.type_faces import scaled, type_scale
 from workbench.widgets.plots.library import library
 from workbench.widgets.tables.table_copies import put_on_clipboard
 
@@ -69,6 +70,7 @@ class Plot(QWidget):
         self.caption.setWordWrap(True)
         self._column.addWidget(self.caption)
         theme_changed.connect(self._take_theme)
+        type_scale.changed.connect(self._take_type)
         library.loaded.connect(self._make_in_turn)
 
     def _begin(self) -> None:
@@ -142,7 +144,7 @@ class Plot(QWidget):
             axis.enableAutoSIPrefix(False)
             axis.setStyle(tickFont=self._font(), tickTextOffset=4, tickLength=-4)
             axis.setCacheMode(_KEPT)
-        self._plot.getAxis("left").setWidth(_AXIS_PX)
+        self._plot.getAxis("left").setWidth(scaled(_AXIS_PX))
         self._plot.showGrid(y=True, alpha=_GRID)
         self._begin()
         self._lay(self._cursor_line)
@@ -159,8 +161,15 @@ class Plot(QWidget):
 
     def _font(self) -> QFont:
         font = QFont(self.font())
-        font.setPixelSize(CAPTION_PX)
+        font.setPixelSize(scaled(CAPTION_PX))
         return font
+
+    def _take_type(self) -> None:
+        if self._plot is not None:
+            for side in ("left", "bottom"):
+                self._plot.getAxis(side).setStyle(tickFont=self._font())
+            self._plot.getAxis("left").setWidth(scaled(_AXIS_PX))
+            self._restyle()
 
     def _take_theme(self) -> None:
         if self._plot is None:
@@ -176,8 +185,9 @@ class Plot(QWidget):
         self.place_cursor(self._cursor_x)
 
     def _label_axes(self, left: str, bottom: str) -> None:
+        look = {"color": tokens().muted, "font-size": f"{scaled(CAPTION_PX)}px"}
         for side, text in (("left", left), ("bottom", bottom)):
-            self._plot.setLabel(side, text, **{"color": tokens().muted, "font-size": f"{CAPTION_PX}px"})
+            self._plot.setLabel(side, text, **look)
         self._fit()
 
     def _fit(self) -> None:

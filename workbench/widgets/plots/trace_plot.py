@@ -20,6 +20,7 @@ _LEAST = 1e-12
 _AXIS_PX = 34
 _WIDTH_PX = 1.5
 _HALF_LINE_PX = 6
+_APART_PX = 6
 _PADDING = 0.02  # what lies at the very edge of the range has no label
 
 
@@ -46,21 +47,25 @@ class TracePlot(Plot):
         self.setMinimumSize(120, 74)
         self._value = QLabel()
         self._value.setProperty("role", "caption")
-        self._value.setFont(self._font())
-        title_label = ElidedLabel(title)
-        title_label.setFont(self._font())
+        self._title = ElidedLabel(title)
         row = QHBoxLayout()
-        row.addWidget(title_label, 1)
+        row.setSpacing(_APART_PX)
+        row.addWidget(self._title, 1)
         row.addWidget(self._value)
         self._column.insertLayout(0, row)
         self._time = ElidedLabel()
         self._time.setProperty("role", "caption")
-        self._time.setFont(self._font())
         self._time.setAlignment(Qt.AlignmentFlag.AlignRight)
         self._column.addWidget(self._time)
         self._column.setSpacing(0)
         self.caption.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.caption.hide()
+        self._take_type()
+
+    def _take_type(self) -> None:
+        for label in (self._title, self._value, self._time):
+            label.setFont(self._font())
+        super()._take_type()
 
     def sizeHint(self) -> QSize:
         """One of four beside each other."""

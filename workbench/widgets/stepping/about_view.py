@@ -15,6 +15,7 @@ from workbench.widgets.fields.number_field import with_subscript
 from workbench.widgets.look.empty_view import EmptyView
 from workbench.widgets.look.in_sight import InSight
 from workbench.widgets.look.tokens import TITLE_PX, theme, tokens
+from workbench.widgets.look.type_faces import scaled, type_scale
 
 
 class AboutView(QWidget):
@@ -46,6 +47,7 @@ class AboutView(QWidget):
         self._sight.changed.connect(self.refresh)
         run.changed.connect(self.refresh)
         theme.changed.connect(self._tell_again)
+        type_scale.changed.connect(self._tell_again)
         self.refresh()
 
     def refresh(self, *_seen: bool) -> None:
@@ -74,7 +76,7 @@ class AboutView(QWidget):
 def page_of(entry: Entry, linked: bool) -> str:
     """The page of an entry, as rich text; ``linked`` makes a link of its next rung."""
     parts = [
-        f'<p style="font-size:{TITLE_PX}px; font-weight:600; margin:0">{escape(_(entry.title))}</p>',
+        f'<p style="font-size:{scaled(TITLE_PX)}px; font-weight:600; margin:0">{escape(_(entry.title))}</p>',
         f'<p style="margin:4px 0 0 0">{escape(_(entry.summary))}</p>',
     ]
     if entry.next_rung:

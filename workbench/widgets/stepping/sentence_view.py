@@ -12,6 +12,7 @@ from workbench.language import _
 from workbench.session.asking import Answer
 from workbench.session.run import Run
 from workbench.widgets.look.tokens import CAPTION_PX, TITLE_PX, theme, tokens
+from workbench.widgets.look.type_faces import scaled, type_scale
 
 # One letter with one below it, as in r_x; two_dy is a name of the program.
 _SUBSCRIPT = re.compile(r"(?<![A-Za-z_])([A-Za-z])_([a-z0-9])(?![A-Za-z0-9_])")
@@ -40,19 +41,25 @@ class SentenceView(QLabel):
             Qt.TextInteractionFlag.LinksAccessibleByMouse | Qt.TextInteractionFlag.LinksAccessibleByKeyboard
         )
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        font = self.font()
-        font.setPixelSize(TITLE_PX)
-        self.setFont(font)
-        self.setStyleSheet(f"font-size: {TITLE_PX}px")
         self.setContentsMargins(12, 2, 12, 4)
-        self.setFixedHeight(2 * self.fontMetrics().lineSpacing() + 8)
         self.linkActivated.connect(self._activated)
         self.linkHovered.connect(self._hovered)
         for signal in (run.changed, run.moved, run.grown, run.asked):
             signal.connect(self.refresh)
         theme.changed.connect(self._write)
+        type_scale.changed.connect(self._take_type)
         self._parts: tuple[Part, ...] = ()
+        self._take_type()
         self.refresh()
+
+    def _take_type(self) -> None:
+        """Two lines of the type as large as it is now."""
+        font = self.font()
+        font.setPixelSize(scaled(TITLE_PX))
+        self.setFont(font)
+        self.setStyleSheet(f"font-size: {scaled(TITLE_PX)}px")
+        self.setFixedHeight(2 * self.fontMetrics().lineSpacing() + 8)
+        self._write()
 
     def refresh(self) -> None:
         """Say what the cursor's step does, and announce it when it is new."""
@@ -82,7 +89,9 @@ class SentenceView(QLabel):
         return (*right, *self._told(), *score)
 
     def _score(self) -> Part:
-        score = _("{right} right, {wrong} wrong.").format(right=self._run.right, wrong=self._run.wrong)
+        score = _("First tries: {right} right, {wrong} wrong.").format(
+            right=self._run.right, wrong=self._run.wrong
+        )
         return Part(score, None)
 
     def _told(self) -> tuple[Part, ...]:
@@ -91,9 +100,9 @@ class SentenceView(QLabel):
         if run.entry is None:
             return (Part(run.before() or run.invitation, None),)
         if run.waiting:
-            score = _("Which pixel comes next? Click it. {right} right, {wrong} wrong.")
+            score = _("Which pixel comes next? Click it. First tries: {right} right, {wrong} wrong.")
             if run.options:
-                score = _("What comes next? {right} right, {wrong} wrong.")
+                score = _("What comes next? First tries: {right} right, {wrong} wrong.")
             asked = Part(score.format(right=run.right, wrong=run.wrong), None)
             return (*run.sentence, Part(" ", None), asked) if run.position else (asked,)
         parts = run.sentence
@@ -132,14 +141,14 @@ class SentenceView(QLabel):
         room = self.contentsRect()
         font = QFont(self.font())
         font.setBold(any(part.link is not None for part in self._parts))
-        for size in range(TITLE_PX, CAPTION_PX, -1):
+        for size in range(scaled(TITLE_PX), scaled(CAPTION_PX), -1):
             font.setPixelSize(size)
             box = QFontMetrics(font).boundingRect(
                 0, 0, room.width(), room.height(), Qt.TextFlag.TextWordWrap, self._plain
             )
             if box.height() <= room.height():
                 return size
-        return CAPTION_PX
+        return scaled(CAPTION_PX)
 
     def _announce(self, text: str) -> None:
         if not QAccessible.isActive() or not text:

@@ -23,7 +23,7 @@ from PySide6.QtWidgets import QTextEdit, QWidget
 
 from workbench.language import _, ngettext
 from workbench.widgets.look.tokens import colour, theme, tokens
-from workbench.widgets.look.type_faces import code_font
+from workbench.widgets.look.type_faces import keep_code_font
 from workbench.widgets.stepping.source_highlighter import SourceHighlighter
 
 _TYPE_PX = 12
@@ -48,7 +48,7 @@ class SourceText(QTextEdit):
         self.setWordWrapMode(QTextOption.WrapMode.WrapAtWordBoundaryOrAnywhere)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.horizontalScrollBar().rangeChanged.connect(self._stay_left)
-        self.setFont(code_font(_TYPE_PX))
+        keep_code_font(self, _TYPE_PX)
         self.setAccessibleName(_("Source of the algorithm"))
         self.setToolTip(_("Click a line to run to it"))
         self.setTextInteractionFlags(

@@ -12,7 +12,7 @@ from workbench.widgets.fields.number_field import EntryLine
 from workbench.widgets.fields.option_buttons import OptionButtons
 from workbench.widgets.look.action_button import ActionButton
 from workbench.widgets.look.icons import set_icon
-from workbench.widgets.look.type_faces import code_font
+from workbench.widgets.look.type_faces import code_font, keep_code_font, type_scale
 from workbench.widgets.stepping.sentence_view import SentenceView
 from workbench.widgets.stepping.step_slider import StepSlider
 
@@ -61,16 +61,15 @@ class StepBar(QWidget):
         )
         self.slider = StepSlider(run)
         self.jump = EntryLine()
-        self.jump.setFont(code_font())
+        keep_code_font(self.jump)
         self.jump.setAlignment(Qt.AlignmentFlag.AlignRight)
         self.jump.setAccessibleName(_("Go to step"))
         self.jump.setToolTip(_("Type a step and press Enter to go there"))
         self.jump.editingFinished.connect(self._jump)
         self.total = QLabel()
-        self.total.setFont(code_font())
-        # The bar keeps its shape while the number grows.
-        self.total.setMinimumWidth(QFontMetrics(code_font()).horizontalAdvance("/ 1000000+"))
-        self._fit_jump()
+        keep_code_font(self.total)
+        type_scale.changed.connect(self._fit_numbers)
+        self._fit_numbers()
         self.total.setProperty("role", "muted")
         self.total.setToolTip(_("How many steps the run has; with +, as far as it is recorded"))
         self.step = self._action(
@@ -190,6 +189,11 @@ class StepBar(QWidget):
             self.jump.setText(str(run.number) if there else "")
         self.total.setText(f"/ {run.total_text}" if there else "")
         self._offer_stretches()
+
+    def _fit_numbers(self) -> None:
+        """The bar keeps its shape while the number grows."""
+        self.total.setMinimumWidth(QFontMetrics(code_font()).horizontalAdvance("/ 1000000+"))
+        self._fit_jump()
 
     def _fit_jump(self) -> None:
         """Let every step of the run have room in the field."""

@@ -13,7 +13,7 @@ from workbench.algorithms.curves import Continuity
 from workbench.exchange.tables import typeset
 from workbench.language import _
 from workbench.widgets.look.tokens import colour, theme, tokens
-from workbench.widgets.look.type_faces import code_font
+from workbench.widgets.look.type_faces import code_font, keep_code_font
 from workbench.widgets.plots.parameter_axis import number_text
 from workbench.widgets.tables.table_columns import FittedColumns, WholeRows
 from workbench.widgets.tables.table_copies import CopiedTable
@@ -169,7 +169,7 @@ class ContinuityTable(QWidget):
         self.view.setTabKeyNavigation(False)
         self.view.verticalHeader().hide()
         self.view.verticalHeader().setDefaultSectionSize(22)
-        self.view.horizontalHeader().setFont(code_font(12))
+        keep_code_font(self.view.horizontalHeader(), 12)
         self.view.setItemDelegate(WholeRows(self.view))
         self.model.dataChanged.connect(FittedColumns(self.view).widen)
         self.words = QLabel(_("The joints of a curve of several pieces are shown here."))

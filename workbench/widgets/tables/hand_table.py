@@ -27,7 +27,7 @@ from workbench.session.answers import Answers
 from workbench.session.run import Run
 from workbench.widgets.look.empty_view import EmptyView
 from workbench.widgets.look.tokens import colour, theme, tokens
-from workbench.widgets.look.type_faces import cell_font, code_font
+from workbench.widgets.look.type_faces import cell_font, keep_code_font
 from workbench.widgets.tables.table_columns import FittedColumns, WholeRows
 from workbench.widgets.tables.table_copies import RowsTable, chosen_rows, put_on_clipboard, rows_copied
 
@@ -143,7 +143,7 @@ class HandTable(QWidget):
         self.view.setTabKeyNavigation(False)
         self.view.verticalHeader().hide()
         self.view.verticalHeader().setDefaultSectionSize(22)
-        self.view.horizontalHeader().setFont(code_font(12))
+        keep_code_font(self.view.horizontalHeader(), 12)
         FittedColumns(self.view)
         self.view.setItemDelegate(WholeRows(self.view))
         self.view.clicked.connect(self._go_to)

@@ -14,7 +14,7 @@ from workbench.session.session import Session
 from workbench.widgets.fields.number_field import EntryLine
 from workbench.widgets.look.action_button import ActionButton
 from workbench.widgets.look.icons import set_icon
-from workbench.widgets.look.type_faces import code_font
+from workbench.widgets.look.type_faces import keep_code_font
 
 HEIGHT = 44
 _FIELD_PX = 52
@@ -119,7 +119,7 @@ class Transport(QWidget):
 
     def _field(self, name: str, tip: str, done: Callable[[], object]) -> EntryLine:
         field = EntryLine()
-        field.setFont(code_font())
+        keep_code_font(field)
         field.setAlignment(Qt.AlignmentFlag.AlignRight)
         field.setFixedWidth(_FIELD_PX)
         field.setAccessibleName(name)

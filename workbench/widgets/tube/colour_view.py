@@ -34,6 +34,7 @@ from workbench.widgets.look.comfort import comfort
 from workbench.widgets.look.in_sight import InSight
 from workbench.widgets.look.plain_keys import is_plain
 from workbench.widgets.look.tokens import CAPTION_PX, RADIUS, colour, theme, tokens
+from workbench.widgets.look.type_faces import scaled
 from workbench.widgets.tube.glass import (
     cabinet_pixmap,
     fitted,
@@ -342,7 +343,7 @@ class ColourView(QWidget):
             return
         said = _("pitch {mm:g} mm") if count == 1 else _("{n} pitches of {mm:g} mm")
         font = QFont(painter.font())
-        font.setPixelSize(CAPTION_PX)
+        font.setPixelSize(scaled(CAPTION_PX))
         painter.setFont(font)
         text = said.format(n=count, mm=pitch)
         wide = max(length, painter.fontMetrics().horizontalAdvance(text)) + 16

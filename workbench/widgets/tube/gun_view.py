@@ -46,6 +46,7 @@ from workbench.language import _
 from workbench.widgets.canvas.drawing import ink_of
 from workbench.widgets.look.plain_keys import is_plain
 from workbench.widgets.look.tokens import CAPTION_PX, RADIUS, colour, theme, tokens
+from workbench.widgets.look.type_faces import scaled
 from workbench.widgets.tube.gun_painting import draw_lowered, is_at, paint_height, paint_length, paint_shape
 
 _PADDING_PX, _GAP_PX = 6.0, 6.0
@@ -258,7 +259,7 @@ class GunView(QWidget):
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         font = QFont(self.font())
-        font.setPixelSize(CAPTION_PX)
+        font.setPixelSize(scaled(CAPTION_PX))
         painter.setFont(font)
         glow = self._glow()
         for shape in self._shapes:

@@ -5,6 +5,7 @@ from PySide6.QtGui import QBrush, QColor, QFont, QPainter, QPen, QRadialGradient
 
 from workbench.display.beam import BeamState
 from workbench.widgets.look.tokens import CAPTION_PX
+from workbench.widgets.look.type_faces import scaled
 from workbench.widgets.tube.glass import LETTERING
 
 # Over the glass, which is dark in both themes.
@@ -48,7 +49,7 @@ def paint_probe(painter: QPainter, place: QPointF) -> None:
 def paint_plate(painter: QPainter, plate: QRectF, name: str, rate: str) -> None:
     """The lettering below the glass; where there is no room for both, what stands at the right."""
     font = QFont(painter.font())
-    font.setPixelSize(CAPTION_PX)
+    font.setPixelSize(scaled(CAPTION_PX))
     painter.setFont(font)
     painter.setPen(LETTERING)
     inset = 0.06 * plate.width()

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QWidget
 from workbench.algorithms.scanning.operations import DRAW
 from workbench.rendering.display_program import DisplayProgram
 from workbench.widgets.look.tokens import CAPTION_PX
+from workbench.widgets.look.type_faces import scaled
 from workbench.widgets.tube.glass import glass_path
 from workbench.widgets.tube.stroke_picking import nearest_stroke
 from workbench.widgets.tube.view import TubeView
@@ -104,7 +105,7 @@ class StrokeView(TubeView):
         painter.setBrush(_BEAM if trace.lit else Qt.BrushStyle.NoBrush)
         painter.drawEllipse(end, 4.5, 4.5)
         font = QFont(self.font())
-        font.setPixelSize(CAPTION_PX)
+        font.setPixelSize(scaled(CAPTION_PX))
         painter.setFont(font)
         said = f"PC {trace.address}"
         size = painter.fontMetrics().boundingRect(said).size()

@@ -12,6 +12,7 @@ from workbench.display.timings import RasterTiming
 from workbench.language import _
 from workbench.widgets.look.spans import time_text
 from workbench.widgets.look.tokens import CAPTION_PX, colour, theme, tokens
+from workbench.widgets.look.type_faces import scaled
 
 _TITLE_PX = 132
 _MARGIN_PX, _GAP_PX, _LEAST_PX = 8, 6, 2.0
@@ -148,7 +149,7 @@ class TimingDiagram(QWidget):
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         font = painter.font()
-        font.setPixelSize(CAPTION_PX)
+        font.setPixelSize(scaled(CAPTION_PX))
         small = QFontMetricsF(font)
         for number, strip in enumerate(self.strips):
             bar = self._bar(number)

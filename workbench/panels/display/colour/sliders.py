@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy, QSlider, QWidget
 
 from workbench.language import _
 from workbench.widgets.fields.number_field import NumberField
+from workbench.widgets.look.type_faces import type_scale
 
 _NOTCHES = 1000
 _LEAST_PX, _APART_PX = 30, 6
@@ -55,7 +56,8 @@ class NumberSlider(QWidget):
         self.slider.setAccessibleName(coordinate.meaning)
         self.slider.setToolTip(_("{meaning}: drag, or press the arrows").format(meaning=coordinate.meaning))
         self.slider.setMinimumWidth(_LEAST_PX)
-        self.field.setMinimumWidth(self.field.sizeHint().width())
+        type_scale.changed.connect(self._fit)
+        self._fit()
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         grid = QGridLayout(self)
         grid.setContentsMargins(0, 0, 0, 0)
@@ -74,6 +76,9 @@ class NumberSlider(QWidget):
         super().resizeEvent(event)
         needed = self.field.sizeHint().width() + _APART_PX + _LEAST_PX
         self.slider.setVisible(event.size().width() >= needed)
+
+    def _fit(self) -> None:
+        self.field.setMinimumWidth(self.field.sizeHint().width())
 
     def _slid(self, notch: int) -> None:
         if not self._showing:

@@ -11,7 +11,7 @@ from workbench.exchange.tables import Table
 from workbench.language import _
 from workbench.widgets.look.scrolled import scrolled
 from workbench.widgets.look.tokens import CAPTION_PX
-from workbench.widgets.look.type_faces import code_font
+from workbench.widgets.look.type_faces import keep_code_font
 
 _NOT_YET = "\N{HORIZONTAL ELLIPSIS}"
 
@@ -56,7 +56,7 @@ class MeasuresView(QWidget):
             name.setToolTip(meaning)
             grid.addWidget(name, row, 0)
             for column, value in enumerate(self._values[row - 1], 1):
-                value.setFont(code_font(CAPTION_PX + 1))
+                keep_code_font(value, CAPTION_PX + 1)
                 value.setAlignment(Qt.AlignmentFlag.AlignRight)
                 value.setToolTip(meaning)
                 grid.addWidget(value, row, column)
@@ -103,7 +103,7 @@ def verdict(phosphor: Phosphor, refresh_hz: float, cd_m2: float) -> str:
 def doubt(phosphor: Phosphor) -> str:
     """What is uncertain of all this."""
     if not phosphor.uncertain_fields:
-        return _("Uncertain: when an eye fuses it, by some 10 Hz.")
-    return _("Uncertain: when an eye fuses it, by some 10 Hz; of {name} the {fields}.").format(
-        name=phosphor.name, fields=doubts(phosphor)
-    )
+        return _("Uncertain by about 10 Hz: the rate from which an eye sees no flicker.")
+    return _(
+        "Uncertain by about 10 Hz: the rate from which an eye sees no flicker; of {name}, the {fields}."
+    ).format(name=phosphor.name, fields=doubts(phosphor))

@@ -6,7 +6,7 @@ from functools import partial
 from html import escape
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QGuiApplication
+from PySide6.QtGui import QFont, QGuiApplication
 from PySide6.QtWidgets import (
     QGridLayout,
     QHBoxLayout,
@@ -40,7 +40,7 @@ from workbench.widgets.fields.number_field import NumberField
 from workbench.widgets.look.flow_layout import flowing
 from workbench.widgets.look.in_sight import InSight
 from workbench.widgets.look.tips import tell_choice
-from workbench.widgets.look.type_faces import code_font
+from workbench.widgets.look.type_faces import keep_code_font
 from workbench.widgets.tables.table_copies import put_on_clipboard
 
 _FIELDS = ("sum_width", "sum_height", "sum_bits", "sum_hz", "sum_h_us", "sum_v_us")
@@ -261,11 +261,9 @@ class SumsDock(QWidget):
 
     def _add_row(self) -> None:
         title, result, numbers = QLabel(), QLabel(), QLabel()
-        bold = code_font(12)
-        bold.setBold(True)
-        result.setFont(bold)
+        keep_code_font(result, 12, QFont.Weight.Bold)
         result.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignBottom)
-        numbers.setFont(code_font(_SMALL_PX))
+        keep_code_font(numbers, _SMALL_PX)
         numbers.setWordWrap(True)
         numbers.setTextFormat(Qt.TextFormat.RichText)
         numbers.setContentsMargins(0, 0, 0, 6)

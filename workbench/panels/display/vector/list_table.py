@@ -10,7 +10,7 @@ from workbench.language import _
 from workbench.panels.display.vector.list_model import ListModel
 from workbench.widgets.look.action_button import ActionButton
 from workbench.widgets.look.icons import set_icon
-from workbench.widgets.look.type_faces import code_font
+from workbench.widgets.look.type_faces import keep_code_font
 from workbench.widgets.tables.table_columns import FittedColumns, WholeRows
 from workbench.widgets.tables.table_copies import put_on_clipboard
 
@@ -38,7 +38,7 @@ class ListTable(QWidget):
         self.view.setTabKeyNavigation(False)
         self.view.verticalHeader().hide()
         self.view.verticalHeader().setDefaultSectionSize(22)
-        self.view.horizontalHeader().setFont(code_font(12))
+        keep_code_font(self.view.horizontalHeader(), 12)
         self.view.setItemDelegate(WholeRows(self.view))
         FittedColumns(self.view)
         self.view.viewport().installEventFilter(self)

@@ -20,14 +20,16 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QToolButton, QWidget
 
 from workbench.algorithms import catalogue
-from workbench.language import _
+from workbench.language import _, ngettext
 from workbench.rendering.scene.arena import TRUTH, MethodRun, space_of
+from workbench.rendering.scene.counted import counted_text
 from workbench.rendering.scene.growth import Growth
 from workbench.rendering.scene.spaces import NOT_YET, title_of
 from workbench.widgets.canvas.overlay import Cell
 from workbench.widgets.look.icons import icon, set_icon
 from workbench.widgets.look.plain_keys import is_plain
 from workbench.widgets.look.tokens import CAPTION_PX, RADIUS, TEXT_PX, colour, theme_changed, tokens
+from workbench.widgets.look.type_faces import scaled
 
 HEAD_PX, LINE_PX, AIR_PX, LINES = 24, 15, 8, 3
 LEAST_PX = QSize(150, 150)
@@ -105,10 +107,10 @@ class MethodTile(QWidget):
         run, growth = self.state.run, self.state.growth
         if run is None:
             return ()
-        divided = [_("{n:,} {what}").format(n=n, what=_(what)) for what, n in run.counted.items()]
-        kept = [_("{n:,} {what}").format(n=n, what=_(what)) for what, n in run.keeps.items()]
+        divided = [counted_text(n, what) for what, n in run.counted.items()]
+        kept = [counted_text(n, what) for what, n in run.keeps.items()]
         return (
-            _("{n:,} tests").format(n=run.tests),
+            ngettext("{n:,} test", "{n:,} tests", run.tests).format(n=run.tests),
             NOT_YET if growth is None else seconds_text(growth.at_ten, growth.measured),
             divided[-1] if divided else "",
             _("keeps {what}").format(what=kept[0] if kept else _("nothing")),
@@ -175,14 +177,14 @@ class MethodTile(QWidget):
             name, role = ("warning", "error") if self.wrong else ("check", "text")
             icon(name, role).paint(painter, QRect(left, 6, _ICON_PX, _ICON_PX))
             left += _ICON_PX + 4
-        font.setPixelSize(TEXT_PX)
+        font.setPixelSize(scaled(TEXT_PX))
         font.setWeight(QFont.Weight.DemiBold)
         painter.setFont(font)
         painter.setPen(colour(now.text))
         room = QRectF(left, 4, self.width() - left - AIR_PX, HEAD_PX - 4)
         title = title_of(self.method)
         if painter.fontMetrics().horizontalAdvance(title) > room.width():
-            font.setPixelSize(CAPTION_PX)
+            font.setPixelSize(scaled(CAPTION_PX))
             painter.setFont(font)
         title = painter.fontMetrics().elidedText(title, Qt.TextElideMode.ElideRight, int(room.width()))
         painter.drawText(room, Qt.AlignmentFlag.AlignVCenter, title)
@@ -244,13 +246,11 @@ class MethodTile(QWidget):
         font.setBold(bool(self.wrong))
         painter.setFont(font)
         painter.setPen(colour(now.error if self.wrong else now.text))
+        differ, divided = together(differ, divided, painter.fontMetrics(), self._line(2).width())
         painter.drawText(self._line(2), left, differ)
-        taken = painter.fontMetrics().horizontalAdvance(differ) + AIR_PX
         painter.setFont(self._caption())
         painter.setPen(colour(now.text))
-        room = self._line(2).adjusted(taken, 0, 0, 0)
-        divided = painter.fontMetrics().elidedText(divided, Qt.TextElideMode.ElideRight, int(room.width()))
-        painter.drawText(room, right, divided)
+        painter.drawText(self._line(2), right, divided)
 
     def _line(self, number: int) -> QRectF:
         top = self.height() - LINE_PX * LINES - AIR_PX + number * LINE_PX
@@ -258,7 +258,7 @@ class MethodTile(QWidget):
 
     def _caption(self) -> QFont:
         font = QFont(self.font())
-        font.setPixelSize(CAPTION_PX)
+        font.setPixelSize(scaled(CAPTION_PX))
         return font
 
     # The hand
@@ -322,6 +322,18 @@ def beside(count: str, other: str, metrics: QFontMetrics, room_px: float) -> str
     """How much of a count and its word has room on a line with another text: all, or the number alone."""
     left = room_px - metrics.horizontalAdvance(other) - AIR_PX / 2
     return count if metrics.horizontalAdvance(count) <= left else count.partition(" ")[0]
+
+
+def together(differ: str, divided: str, metrics: QFontMetrics, room_px: float) -> tuple[str, str]:
+    """How many pixels differ, and how much was divided, in words that have room on one line: the squares,
+    cells or boxes are left out first, then that it is pixels that differ.
+    """
+    words = divided.split(" ")
+    short = f"{words[0]} {words[-1]}"
+    for pair in ((differ, divided), (differ, short), (differ.replace(" px", ""), short)):
+        if metrics.horizontalAdvance("".join(pair)) + AIR_PX / 2 <= room_px:
+            return pair
+    return differ, words[0]
 
 
 def seconds_text(seconds: float, measured: bool = True) -> str:

@@ -5,7 +5,7 @@ from html import escape
 
 from msgspec.structs import replace
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QButtonGroup, QCheckBox, QComboBox, QGridLayout, QLabel, QToolButton, QWidget
+from PySide6.QtWidgets import QButtonGroup, QCheckBox, QGridLayout, QLabel, QToolButton, QWidget
 
 from workbench.algorithms import catalogue
 from workbench.document.errors import DocumentError
@@ -33,10 +33,12 @@ from workbench.rendering.subjects.visibility import (
     size_of,
 )
 from workbench.session.session import Session
+from workbench.widgets.fields.choice_box import ChoiceBox
 from workbench.widgets.fields.number_field import NumberField
+from workbench.widgets.look.tips import tell_choice
 from workbench.widgets.look.tokens import tokens
 
-WIDTH_PX = 196
+WIDTH_PX = 212
 COLUMNS = (24, 36, USUAL_COLUMNS, 64, 96)
 BITS = (NOT_ROUNDED, 32, 24, 16, 12, 10, 8, 6, 5, 4)
 _MOST_NAMED = 5
@@ -52,7 +54,7 @@ class VisibilityCard(FoldingCard):
         self._session = session
         self.shown: Shown = "colour"
         self.title.setText(_("Visibility"))
-        self.method, self.size_box, self.bits = QComboBox(), QComboBox(), QComboBox()
+        self.method, self.size_box, self.bits = ChoiceBox(), ChoiceBox(), ChoiceBox()
         for box, name, tip in (
             (self.method, _("Method"), _("How hidden surfaces are found")),
             (
@@ -64,6 +66,7 @@ class VisibilityCard(FoldingCard):
         ):
             box.setAccessibleName(name)
             box.setToolTip(tip)
+            tell_choice(box)
             self.body.addWidget(box)
         self.method.activated.connect(lambda k: session.choose(self.method.itemData(k)))
         self.size_box.activated.connect(lambda k: self._give("columns", self.size_box.itemData(k)))

@@ -6,6 +6,7 @@ from workbench.algorithms import catalogue
 from workbench.algorithms.visibility.surfaces import NOTHING
 from workbench.language import _
 from workbench.rendering.scene.arena import MethodRun
+from workbench.rendering.scene.counted import counted_text
 from workbench.rendering.scene.spaces import fails_where
 
 
@@ -58,4 +59,4 @@ def _picture(run: MethodRun) -> str:
 
 
 def _listed(counts: dict[str, int]) -> str:
-    return ", ".join(_("{n:,} {what}").format(n=n, what=_(what)) for what, n in counts.items())
+    return ", ".join(counted_text(n, what) for what, n in counts.items())
