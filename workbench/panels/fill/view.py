@@ -110,8 +110,8 @@ class FillView(FigureView):
             begin_at=run.passed,
             whole=run.done and not run.in_stretches and len(depths) > len(self._steps),
         )
-        if self.plot.isVisible() and run.event >= 0:
-            now = len(stack_at(entry, recording, run.event))
+        if self.plot.isVisible() and run.line_event >= 0:
+            now = len(stack_at(entry, recording, run.line_event))
             self.plot.show_cursor(run.passed + run.step_number, now)
         self.fill_card.say_overflow(run.message if recording.error is not None else "")
 
