@@ -31,7 +31,7 @@ def recorded(session: Session, qtbot: QtBot) -> None:
 def test_the_front_figure_is_followed_until_another_is_made_active(session: Session, qtbot: QtBot) -> None:
     session.new(example("slopes").document)
     recorded(session, qtbot)
-    assert (session.run.subject.ids, session.run.entry.slug) == (("f3",), "midpoint_line")
+    assert (session.run.subject.ids, session.run.entry.slug) == (("f3",), "dda_line")
     session.update_state(active="f1")
     recorded(session, qtbot)
     assert (session.run.subject.ids, session.run.entry.slug) == (("f1",), "dda_line")
