@@ -59,10 +59,12 @@ def test_steps_and_depths_are_those_of_the_whole_run(qtbot, panel):
     assert run.in_stretches
     count_to_the_end(qtbot, panel)
     assert "so far, from step 0 to" in plot.caption.text()
+    assert panel.card.heat.text() == "Tests of each pixel"
     run.go_to_number(1600)
     count_to_the_end(qtbot, panel)
     assert 0 < run.passed < 1600 == run.number
     assert plot.begin_at == run.passed
+    assert panel.card.heat.text() == f"Tests after step {run.passed:,}"
     end = run.passed + len(run.steps)
     assert plot.depths.tolist() == true[run.passed : end + 1].tolist()
     first = run.passed + int(np.argmax(true[run.passed : end + 1]))

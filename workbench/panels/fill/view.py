@@ -99,6 +99,7 @@ class FillView(FigureView):
         run = self.stepped_run()
         self._take(run)
         recording = None if run is None else run.recording
+        self.fill_card.say_heat(0 if run is None else run.passed)
         if run is None or self._steps is None or self._depths is None or recording is None:
             self.plot.show_depths(_NOTHING, False)
             return
