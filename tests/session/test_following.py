@@ -31,11 +31,11 @@ def recorded(session: Session, qtbot: QtBot) -> None:
 def test_the_front_figure_is_followed_until_another_is_made_active(session: Session, qtbot: QtBot) -> None:
     session.new(example("slopes").document)
     recorded(session, qtbot)
-    assert (session.run.subject.ids, session.run.entry.slug) == (("f3",), "midpoint_line")
+    assert (session.run.subject.ids, session.run.entry.slug) == (("f3",), "dda_line")
     session.update_state(active="f1")
     recorded(session, qtbot)
-    assert (session.run.subject.ids, session.run.entry.slug) == (("f1",), "dda_line")
-    assert session.run.arguments == (4, 12, 36, 18)
+    assert (session.run.subject.ids, session.run.entry.slug) == (("f1",), "bresenham_line")
+    assert session.run.arguments == (4, 12, 34, 18)
 
 
 def test_an_edit_of_the_figure_is_a_new_run_that_stays_at_its_step(session: Session, qtbot: QtBot) -> None:

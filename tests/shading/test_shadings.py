@@ -9,12 +9,15 @@ import numpy as np
 import pytest
 
 from tests.shading.test_illuminate import formula
+from workbench.algorithms import catalogue
 from workbench.algorithms.shading import fast_phong, flat_shading, phong
 from workbench.algorithms.shading.normal_corners import NormalCorner
 from workbench.algorithms.shading.series import begun, bend_of, onward, series_of
 from workbench.algorithms.shading.shaded_scene import PARAMETERS, shaded_scene
 from workbench.algorithms.visibility import depth_buffer
 from workbench.algorithms.visibility.back_faces import SpaceVector
+from workbench.engine.observation import Steps
+from workbench.engine.recorder import record
 
 SHADINGS = flat_shading, phong, fast_phong
 UNLIT = -1.0
@@ -179,3 +182,13 @@ def test_a_light_inside_a_face_and_coefficients_of_zero_leave_numbers() -> None:
         light, _depth = lit(shading, tuple(arguments))
         assert np.isfinite(light).all()
         assert light.max() > 0.1
+
+
+@pytest.mark.parametrize(("z", "said"), [(1.0, ","), (2.0, ", not yet of length 1,")])
+def test_a_normal_is_said_not_to_have_length_1_only_where_it_has_not(z: float, said: str) -> None:
+    arguments = [np.copy(value) if isinstance(value, np.ndarray) else value for value in example()]
+    arguments[4] = np.tile([0.0, 0.0, z], (len(arguments[4]), 1))
+    entry = catalogue.get("phong")
+    steps = Steps(entry, record(phong, *arguments))
+    told = "".join(part.text for part in steps[1].sentence)
+    assert f"with the normal (0, 0, {z:g}){said} the light is" in told

@@ -44,6 +44,28 @@ def test_the_twelfth_question_opens_the_turn_about_a_point_at_its_step(qtbot: Qt
     leave(window)
 
 
+def test_the_eleventh_question_opens_a_dda_whose_sum_drifts(qtbot: QtBot) -> None:
+    window = make_window()
+    building = Building(window, warms=False)
+    window.first_frame.connect(building.start)
+    with qtbot.waitSignal(building.built, timeout=60_000):
+        window.show()
+    (question,) = (each for each in questions() if each.number == 11)
+    window.open_question(question)
+    qtbot.waitUntil(lambda: window.place == "draw", timeout=60_000)
+    run = window.session.run
+    qtbot.waitUntil(lambda: run.number == question.step > 0 and run.done, timeout=60_000)
+    active = window.session.active_figure
+    assert active is not None
+    assert (active.drawn_with, active.name) == ("dda_line", "DDA")
+    assert run.entry is not None
+    assert run.entry.slug == "dda_line"
+    assert run.steps is not None
+    drifts = [run.steps[k].row[-1] for k in range(1, len(run.steps) + 1)]
+    assert drifts[question.step - 1] != 0.0
+    leave(window)
+
+
 @pytest.mark.parametrize(("number", "page"), [(1, "space"), (2, "visibility"), (5, "space"), (7, "arena")])
 def test_questions_of_space_open_their_page_with_a_dock_and_a_diagram(
     qtbot: QtBot, number: int, page: str

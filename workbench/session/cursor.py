@@ -107,7 +107,7 @@ class Cursor(RecordedRun):
         """The step the cursor is in."""
         if not self.detail or self.steps is None:
             return self._position
-        event = self._event()
+        event = self.line_event
         return self.steps.step_of(event) if event >= 0 else 0
 
     def go_to_step(self, number: int) -> None:
@@ -145,7 +145,8 @@ class Cursor(RecordedRun):
         """What is counted before the first position."""
         return 0 if self.detail else self.passed
 
-    def _event(self) -> int:
+    @property
+    def line_event(self) -> int:
         """The line event shown; -1 when nothing is recorded."""
         if self.recording is None or self.steps is None or not len(self.recording):
             return -1
@@ -158,12 +159,12 @@ class Cursor(RecordedRun):
         recording = self.recording
         if recording is None or not recording.complete:
             return False
-        return self._position >= self.last_position if self.detail else self._event() == len(recording) - 1
+        return self._position >= self.last_position if self.detail else self.line_event == len(recording) - 1
 
     @property
     def moment(self) -> Moment | None:
         """Line, variables and what was emitted at the cursor; at the end of the run, after its last line."""
-        event = self._event()
+        event = self.line_event
         if event < 0 or self.recording is None:
             return None
         moment = self.recording[event]
@@ -183,10 +184,10 @@ class Cursor(RecordedRun):
     @property
     def sentence(self) -> tuple[Part, ...]:
         """What is said at the cursor."""
-        if self.steps is None or self._event() < 0:
+        if self.steps is None or self.line_event < 0:
             return ()
         if self.detail and not self._at_end:
-            return self.steps.told(self._event())
+            return self.steps.told(self.line_event)
         step = self.step
         told = step.sentence if step else ()
         if step is None or step.number or not (before := self.before()):
@@ -197,7 +198,7 @@ class Cursor(RecordedRun):
         """How far the text's own call has come, at the cursor or at the end of a step; None where that is
         not recorded.
         """
-        recording, steps, event = self.recording, self.steps, self._event()
+        recording, steps, event = self.recording, self.steps, self.line_event
         if recording is None or steps is None or event < 0 or (number or 0) > len(steps):
             return None
         if number is None and self.detail:
@@ -214,7 +215,7 @@ class Cursor(RecordedRun):
         if call is None or self.entry is None or self.steps is None:
             return ()
         of_block = (
-            self.steps.marks_told(self._event())
+            self.steps.marks_told(self.line_event)
             if number is None and self.detail and not self._at_end
             else self.steps[self.step_number if number is None else number].marks
         )
@@ -232,7 +233,7 @@ class Cursor(RecordedRun):
     @property
     def changed_names(self) -> frozenset[str]:
         """Variables that became others with this step, or in detail with the line before."""
-        event = self._event()
+        event = self.line_event
         if event < 0 or self.recording is None or self.steps is None:
             return frozenset()
         if self.detail and not self._at_end:
@@ -324,7 +325,7 @@ class Cursor(RecordedRun):
         """Count lines, or rows of the hand table; the cursor stays in its step."""
         if detail == self.detail:
             return
-        event = self._event()
+        event = self.line_event
         end = self._at_end
         self.detail = detail
         self._wanted = None
@@ -341,7 +342,7 @@ class Cursor(RecordedRun):
         """Go to where this line of the source file runs next; False, and no move, when it does not."""
         if self.recording is None or self.steps is None:
             return False
-        event = event_on_line(self.recording, self._event() + 1, line, function)
+        event = event_on_line(self.recording, self.line_event + 1, line, function)
         if event is None:
             return False
         before = self._position
@@ -352,7 +353,7 @@ class Cursor(RecordedRun):
         """Go to the next step that emits pixel (x, y), or else the first; False when none does."""
         if self.recording is None or self.steps is None or self.entry is None:
             return False
-        target = event_touching(self.recording, self.entry.emits, self._event(), x, y)
+        target = event_touching(self.recording, self.entry.emits, self.line_event, x, y)
         if target is None:
             return False
         self.go(target + 1 if self.detail else self.steps.step_of(target))

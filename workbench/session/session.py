@@ -43,8 +43,8 @@ class Session(QObject):
     ``changed(old, new, addresses)`` and ``state_changed(old, new)`` come once per turn of the event loop, in
     this order, with everything that happened since the last time. ``revision`` counts every change at once:
     a worker answers with the revision it was given, and stale answers are dropped. ``saved(Saved)``: a save
-    in the background has ended, well or not. ``opened``: another document or sheet is. ``storing``: the
-    session's state is about to be saved. ``left_out(sentence)``: what a file held that was opened without it.
+    has ended, well or not. ``opened``: another document or sheet is. ``storing``: its state is about to be
+    saved. ``left_out(sentence)``: what a file was opened without. ``why_asked``: about ``state.pixel``.
     ``run`` leads, ``followers`` do the same under other entries; ``ahead`` works on large sheets.
     """
 
@@ -55,9 +55,9 @@ class Session(QObject):
     dirty_changed = Signal(bool)
     saved = Signal(object)
     storing = Signal()
-    autosave_failed = Signal(str)
-    autosave_mended = Signal(str)
+    autosave_failed, autosave_mended = Signal(str), Signal(str)
     left_out = Signal(str)
+    why_asked = Signal()
     _due = Signal()
 
     def __init__(self, parent: QObject | None = None, document: Document | None = None) -> None:

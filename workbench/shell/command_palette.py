@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QEvent, QModelIndex, QObject, QPersistentModelIndex, QSize, Qt
+from PySide6.QtCore import QEvent, QModelIndex, QObject, QPersistentModelIndex, QRect, QSize, Qt
 from PySide6.QtGui import QKeyEvent, QPainter
 from PySide6.QtWidgets import (
     QApplication,
@@ -29,7 +29,7 @@ from workbench.widgets.look.tokens import colour, tokens
 if TYPE_CHECKING:
     from workbench.shell.window import MainWindow
 
-_WIDTH, _ROWS = 620, 10
+_WIDTH, _HEIGHT, _ROWS = 620, 380, 10
 _BESIDE, _WITHIN = 2.0, 2.0
 _PADDING_PX, _MARGIN_PX = 5, 10
 _OFFER = Qt.ItemDataRole.UserRole
@@ -184,15 +184,42 @@ class _WithKeys(QStyledItemDelegate):
         painter.drawText(option.rect.adjusted(0, 0, -_MARGIN_PX, 0), right, index.data(_OFFER).keys)
 
 
+def _afloat(window: QWidget) -> QWidget | None:
+    """The window of its own that floats over ``window`` and has the focus."""
+    active = QApplication.activeWindow()
+    above = None if active is None else active.parentWidget()
+    while above is not None and above is not window:
+        above = above.parentWidget()
+    return active if above is not None else None
+
+
+def _over(active: QWidget) -> QRect:
+    """Where it stands over a window that may be smaller, on the screen."""
+    screen, there = active.screen().availableGeometry(), active.frameGeometry()
+    width, height = min(_WIDTH, screen.width() - 32), min(_HEIGHT, screen.height() - 96)
+    left = there.center().x() - width // 2
+    return QRect(
+        max(screen.left(), min(left, screen.right() - width)),
+        max(screen.top(), min(there.top(), screen.bottom() - height)),
+        width,
+        height,
+    )
+
+
 class CommandPalette(QFrame):
-    """A field and a list over the upper part of the window; Esc or a click elsewhere closes it."""
+    """A field and a list over the upper part of the window; Esc or a click elsewhere closes it.
+
+    While another window of the program has the focus, as a dock that floats, it is a popup over that one:
+    within the main window it would lie behind it, and be typed past.
+    """
 
     def __init__(self, window: "MainWindow") -> None:
-        super().__init__(window)
+        active = _afloat(window)
+        super().__init__(active or window, Qt.WindowType.Popup if active else Qt.WindowType.Widget)
         self.setObjectName("palette")
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self._window = window
-        self._back_to = window.focusWidget()
+        self._back_to = QApplication.focusWidget() or window.focusWidget()
         application = QApplication.instance()
         assert application is not None
         self._application = application
@@ -216,8 +243,11 @@ class CommandPalette(QFrame):
         self._search("")
         if window.session is None:
             window.when_ready(self._search_again)
-        width = min(_WIDTH, window.width() - 32)
-        self.setGeometry((window.width() - width) // 2, 64, width, min(380, window.height() - 96))
+        if active is not None:
+            self.setGeometry(_over(active))
+        else:
+            width = min(_WIDTH, window.width() - 32)
+            self.setGeometry((window.width() - width) // 2, 64, width, min(_HEIGHT, window.height() - 96))
 
     @classmethod
     def open_over(cls, window: "MainWindow") -> "CommandPalette":

@@ -8,6 +8,7 @@ from PySide6.QtGui import QColor, QGuiApplication, QKeyEvent, QPainter, QPaintEv
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QSizePolicy, QToolButton, QWidget
 
 from workbench.language import _
+from workbench.widgets.look.borrowed_focus import BorrowedFocus
 from workbench.widgets.look.tokens import theme, tokens
 
 Button = tuple[str, Callable[[], object]]
@@ -66,6 +67,7 @@ class MessageBar(QFrame):
         row.addWidget(self._text, 1)
         row.addLayout(self._buttons)
         row.addWidget(self._close)
+        self._focus = BorrowedFocus(self)
         self._asking = self._working = False
         self._waiting: list[tuple[str, str, str, Sequence[Button]]] = []
         self._refuse: Callable[[], object] | None = None
@@ -99,7 +101,7 @@ class MessageBar(QFrame):
         self._refuse = refuse
         offered = self.buttons()
         if offered:
-            offered[0].setFocus(Qt.FocusReason.OtherFocusReason)
+            self._focus.take(offered[0])
 
     def work(self, text: str, stop: Button) -> None:
         """Say what is being done, or how far it is, with the button that ends it; a question goes before."""
@@ -145,6 +147,7 @@ class MessageBar(QFrame):
     def _end(self) -> None:
         self._asking = self._working = False
         self._refuse = None
+        self._focus.give_back()
         self.hide()
         if self._waiting:
             self.say(*self._waiting.pop(0))
@@ -152,6 +155,7 @@ class MessageBar(QFrame):
     def _show(self, text: str, kind: str, buttons: Sequence[Button], closes: bool) -> None:
         self._working = False
         self._refuse = None
+        self._focus.remember()
         self._mark.kind = kind
         self._mark.update()
         self._mark.setAccessibleName({"warn": _("Warning"), "error": _("Error")}.get(kind, _("Message")))

@@ -179,7 +179,7 @@ class Writing(QObject):
     def _close_card(self) -> None:
         self._soon.stop()
         if "card" in self.__dict__:
-            self.card.hide()
+            self.card.put_away()
 
     def _ended(self, outcome: Outcome) -> None:
         self._window.removeEventFilter(self)

@@ -27,6 +27,32 @@ def test_on_a_sheet_shown_again_the_step_is_that_of_its_frame(panel: AnimatePane
     assert (session.state.subject, session.state.step) == aimed_at
 
 
+def test_at_a_new_key_panel_hand_table_and_page_are_of_the_same_two_keys(panel: AnimatePanel) -> None:
+    session = panel.session
+    target = next(row.target for row in panel.timeline.shown.tracks if row.label == "Ball, y")
+    panel.timeline.track_chosen.emit(target)
+    session.frames.show(34)
+    settle()
+    assert "frame 28 to 40" in panel.between.title.text()
+    panel.timeline.key_wanted.emit(target, 34)
+    settle()
+    settle()
+    run = session.run
+    assert run.steps is not None
+    rows = [run.steps[number].row for number in range(1, len(run.steps) + 1)]
+    assert (rows[0][1], rows[-1][1]) == (28, 34)
+    assert "frame 28 to 34" in panel.between.title.text()
+    assert panel.between.key is not None
+    assert panel.between.key.frame == 28
+    session.frames.show(35)
+    settle()
+    session.frames.show(34)  # come to from the other side, it begins the next two
+    settle()
+    rows = [run.steps[number].row for number in range(1, len(run.steps) + 1)]
+    assert (rows[0][1], rows[-1][1]) == (34, 40)
+    assert "frame 34 to 40" in panel.between.title.text()
+
+
 def test_a_pasted_figure_has_a_name_of_its_own_in_the_timeline_and_its_track_is_chosen(
     panel: AnimatePanel,
 ) -> None:

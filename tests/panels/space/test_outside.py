@@ -5,6 +5,7 @@ from collections.abc import Iterator
 
 import numpy as np
 import pytest
+from msgspec.structs import replace
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QApplication
@@ -15,6 +16,7 @@ from workbench.document.scene.looking import kind_of
 from workbench.document.scene.viewing import projection_matrix, view_matrix
 from workbench.panels.space.projection_page import ProjectionPage
 from workbench.rendering.emissions import emitted
+from workbench.rendering.scene.contrast import pair_of
 from workbench.rendering.subjects.registry import calls_of
 
 NO_KEY = Qt.KeyboardModifier.NoModifier
@@ -194,6 +196,37 @@ def test_the_centre_goes_to_infinity_by_the_slider(qtbot: QtBot, page: Projectio
     assert page.looking.camera.projection == "orthographic"
     assert "1/d" not in page.derived.inverse.text()
     assert page.derived.inverse.text() == "0"
+
+
+def test_a_matrix_of_ones_own_is_parallel_only_where_its_projectors_are(
+    qtbot: QtBot, page: ProjectionPage
+) -> None:
+    dock = page.derived
+    qtbot.addWidget(dock)
+    dock.show()
+    page.choose("matrix")
+    settle(qtbot, page)
+    camera = page.looking.camera
+    assert camera.projection == "matrix"
+    assert "your own now, and its projectors meet in a point" in dock.words.text()
+    assert "parallel now" not in dock.words.text()
+    assert dock.inverse.text() == "\N{EN DASH}"
+    point = dock.triangles.point
+    w = projection_matrix(camera)[3] @ [point.x, point.y, point.z, 1]
+    assert f"The last row of your matrix gives <i>w = {w:.4f}"[:-1] in dock.limit.text()
+    page.look(replace(camera, entries=(*camera.entries[:12], 0.0, 0.0, 0.0, 2.0)))
+    settle(qtbot, page)
+    assert "The projectors are parallel now" in dock.words.text()
+    assert dock.inverse.text() == "0"
+    assert "gives <i>w = 2</i> now" in dock.limit.text()
+
+
+def test_a_central_matrix_of_ones_own_is_not_compared_as_a_parallel_projection(
+    qtbot: QtBot, page: ProjectionPage
+) -> None:
+    page.choose("matrix")
+    settle(qtbot, page)
+    assert [each.projection for each in pair_of(page.looking.camera)] == ["orthographic", "perspective"]
 
 
 def test_the_point_of_the_triangles_follows_the_mouse(qtbot: QtBot, page: ProjectionPage) -> None:

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QMouseEvent
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QGraphicsItem
 from pytestqt.qtbot import QtBot
 
 from tests.widgets.plots.by_hand import click, drag, hover
@@ -373,3 +373,15 @@ def test_a_thousand_functions_and_knots_paint_and_answer(qtbot: QtBot, plot: Bas
     assert "N₅₀₁ is" in plot.curves.accessibleDescription()
     qtbot.mouseClick(plot.knots, LEFT, pos=place(plot, 500))
     assert plot.knots.selected in {str(k) for k in range(498, 503)}
+
+
+def test_numbers_beside_the_functions_are_those_of_the_size_once_it_has_grown(plot: BasisPlot):
+    plot.set_functions(US, VALUES - 0.15, NAMES)
+    for height in (140, 170, 200, 240, 300):
+        plot.resize(420, height)
+        plot.grab()
+        QApplication.processEvents()
+    grown = plot.grab().toImage()
+    for side in ("left", "bottom"):
+        plot.curves._plot.getAxis(side).setCacheMode(QGraphicsItem.CacheMode.NoCache)
+    assert plot.grab().toImage() == grown

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtGui import QGuiApplication, QWheelEvent
+from PySide6.QtGui import QFontMetrics, QGuiApplication, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
@@ -33,7 +33,7 @@ def depths(qtbot: QtBot) -> DepthPlot:
     plot = DepthPlot()
     seen(qtbot, plot)
     plot.show_depths(np.array([0, 1, 2, 3, 2, 1, 2, 1, 0] * 5), calls=False)
-    plot.show_cursor(20)
+    plot.show_cursor(20, 1)
     return plot
 
 
@@ -60,7 +60,7 @@ def test_a_click_chooses_the_step_under_it_and_none_beyond_the_last(qtbot: QtBot
     with qtbot.waitSignal(depths.step_wanted) as wanted:
         qtbot.mouseClick(depths._plot.viewport(), Qt.MouseButton.LeftButton, pos=place)
     assert wanted.args == [7]
-    depths.show_cursor(44)
+    depths.show_cursor(44, 0)
     with qtbot.waitSignal(depths.step_wanted) as wanted:
         QTest.keyClick(depths, KEY.Key_Right)
     assert wanted.args == [44]
@@ -199,3 +199,20 @@ def test_a_narrow_trace_ends_its_words_with_dots(qtbot: QtBot) -> None:
     cut = [label for label in plot.findChildren(ElidedLabel) if label.wide > label.width()]
     assert [label.text() for label in cut] == ["Light at the probe", "(32, 24), 1 picture, 16.7 ms"]
     assert all(label.text() in label.toolTip() for label in cut)
+
+
+@pytest.mark.parametrize("deepest", [9, 99_999, 999_999])
+def test_the_title_of_an_axis_stands_beside_its_numbers(qtbot: QtBot, deepest: int) -> None:
+    plot = DepthPlot()
+    seen(qtbot, plot)
+    plot.resize(420, 260)
+    plot.show_depths(np.array([0, deepest]), calls=False)
+    axis = plot._plot.getAxis("left")
+    qtbot.waitUntil(axis.label.isVisible)
+    for _turn in range(3):  # the axis widens when it has painted its numbers
+        plot.grab()
+        QApplication.processEvents()
+    box = axis.label.mapRectToParent(axis.label.boundingRect())
+    title = box.right() - axis.label.document().documentMargin()
+    number = QFontMetrics(plot._font()).horizontalAdvance(str(deepest))
+    assert title <= axis.width() - 4 - number

@@ -13,6 +13,7 @@ from typing import Any
 from numpy.typing import NDArray
 
 from workbench.algorithms.entry import Entry, Law, View
+from workbench.algorithms.shading.directions import length
 from workbench.algorithms.shading.illumination import light_at
 from workbench.algorithms.shading.normal_corners import (
     NormalPlace,
@@ -23,6 +24,7 @@ from workbench.algorithms.shading.normal_corners import (
 from workbench.algorithms.shading.pixel_views import pixel_view
 from workbench.algorithms.shading.shaded_scene import MISSED, PARAMETERS, shaded_scene
 from workbench.algorithms.shading.triangle_marks import marks
+from workbench.algorithms.visibility.back_faces import SpaceVector
 from workbench.algorithms.visibility.surfaces import depth_at, end_row, first_row, surface_of
 
 Array = NDArray[Any]
@@ -81,8 +83,14 @@ def normal_rows(start: NormalPlace, end: NormalPlace) -> tuple[tuple[object, ...
     )
 
 
+def if_not_unit(normal: SpaceVector) -> str:
+    """What is said of a normal whose length, as it is shown, is not 1."""
+    return "," if abs(length(normal) - 1.0) < _SHOWN else ", not yet of length 1,"
+
+
 _SPREAD = "Spread them along the scan line, and light the pixel if nearer"
 _HIDDEN = "'hidden'"
+_SHOWN = 5e-5
 _TABLES = {"Ends of the scan line": ("normal_rows(start, end)", ("edge", "x", "place", "normal"))}
 
 
@@ -103,7 +111,7 @@ ENTRY = Entry(
     source="Phong, Illumination for Computer Generated Pictures, 1975; Hearn and Baker, Computer Graphics, C "
     "Version, section 14-5",
     columns=("x", "y", "place", "normal", "light"),
-    view_functions=(normal_rows,),
+    view_functions=(normal_rows, if_not_unit),
     views=(
         View(
             block="Take the corners with their normals",
@@ -119,7 +127,7 @@ ENTRY = Entry(
         _pixel_view(
             "z < stored",
             True,
-            "{(x, y)}: with the normal {at.normal}, not yet of length 1, the light is {here}.",
+            "{(x, y)}: with the normal {at.normal}{if_not_unit(at.normal)} the light is {here}.",
         ),
         _pixel_view(
             "True", False, "{(x, y)}: z = {z} is not less than {stored}, so the triangle is hidden here."

@@ -40,6 +40,14 @@ def projection_matrix(camera: Camera) -> Matrix:
     return _projection(camera)
 
 
+def is_central(camera: Camera) -> bool:
+    """Whether its projectors meet in a point, rather than being parallel. Raises: ValueError, a sentence."""
+    if camera.projection != "matrix":
+        return camera.projection == "perspective"
+    centre = projection.classify(projection_matrix(camera)).centre
+    return centre is not None and centre[3] != 0.0
+
+
 @lru_cache(maxsize=_KEPT)
 def _projection(camera: Camera) -> Matrix:
     matrix = _projected_by(camera)

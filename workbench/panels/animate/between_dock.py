@@ -22,7 +22,7 @@ from workbench.document.motion.model import EASINGS, SPLINE, Key, Track
 from workbench.document.motion.tracks import group_moved
 from workbench.language import _
 from workbench.panels.animate.names import easing_titles, label_of
-from workbench.rendering.subjects.track import keys_around
+from workbench.rendering.subjects.track import Interval
 from workbench.widgets.fields.choice_box import ChoiceBox
 from workbench.widgets.look.tips import tell_choice
 from workbench.widgets.look.type_faces import keep_code_font
@@ -95,9 +95,10 @@ class BetweenDock(QScrollArea):
         """As high as all of it, where there is room."""
         return QSize(260, 320)
 
-    def show_interval(self, sheet: Sheet, shown: Sheet, track: Track | None, frame: int) -> None:
-        """Show the keys of a track around a frame; without a track what to do."""
-        around = keys_around(track, frame) if track is not None else None
+    def show_interval(
+        self, sheet: Sheet, shown: Sheet, track: Track | None, around: Interval | None, frame: int
+    ) -> None:
+        """Show the keys ``around`` a frame of a track; without a track what to do."""
         self.key = around[0] if around is not None else None
         for widget in (self.easing, self.curve, self.sums, self.step):
             widget.setVisible(around is not None)

@@ -16,7 +16,7 @@ from workbench.language import _
 from workbench.panels.animate.names import easing_titles, label_of
 from workbench.panels.animate.path import alone, path_of
 from workbench.panels.stage.outline import outline
-from workbench.rendering.subjects.track import keys_around
+from workbench.rendering.subjects.track import Interval
 from workbench.widgets.formulas.paper import paper_inks
 
 _HEIGHT_PT = 170.0
@@ -24,10 +24,11 @@ _MARGIN = 0.12
 _MOST_NAMED = 12
 
 
-def derivation(sheet: Sheet, track: Track, figure: AnyFigure | None, frame: int) -> Derivation | None:
-    """The page of a track, with ``figure`` drawn on its way, around a frame; None for a track of one key or
-    that moves nothing."""
-    around = keys_around(track, frame)
+def derivation(
+    sheet: Sheet, track: Track, figure: AnyFigure | None, around: Interval | None, frame: int
+) -> Derivation | None:
+    """The page of a track, with ``figure`` drawn on its way, between the keys ``around`` a frame; None for a
+    track of one key or that moves nothing."""
     if around is None or group_moved(sheet, track) is None:
         return None
     title = _("Key frames and in-betweens")

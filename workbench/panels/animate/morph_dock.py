@@ -12,7 +12,7 @@ from workbench.language import _
 from workbench.panels.animate.correspondence import Correspondence, corresponding, dragged, drawn, grips
 from workbench.panels.animate.names import label_of
 from workbench.panels.animate.track_dock import TrackDock, box_of
-from workbench.rendering.subjects.track import keys_around
+from workbench.rendering.subjects.track import Interval
 from workbench.widgets.fields.number_field import NumberField
 
 
@@ -49,9 +49,10 @@ class MorphDock(TrackDock):
         self.picture.cancelled.connect(self._cancel)
         self.picture.arrow.connect(self._turn)
 
-    def show_interval(self, sheet: Sheet, shown: Sheet, track: Track | None, frame: int) -> None:
+    def show_interval(
+        self, sheet: Sheet, shown: Sheet, track: Track | None, around: Interval | None, frame: int
+    ) -> None:
         """Both outlines of a track of one, and what lies between them in the frame."""
-        around = keys_around(track, frame) if track is not None else None
         group = group_moved(sheet, track) if track is not None else None
         self._pair = None
         if track is None or group is None or around is None or not track.target.endswith(f"/{OUTLINE}"):

@@ -29,7 +29,7 @@ from workbench.panels.stage.actions import PanelCommand
 from workbench.panels.stage.gesture import Modifiers
 from workbench.panels.stage.stepped import SteppedPanel
 from workbench.panels.stage.tools import CircleTool, LineTool, PolygonTool, PolylineTool, SelectTool
-from workbench.rendering.subjects.track import KIND, aimed
+from workbench.rendering.subjects.track import KIND, Interval, aimed, keys_stepped
 from workbench.session.session import Session
 from workbench.widgets.timeline.rows import TimelineShown
 from workbench.widgets.timeline.transport import Transport
@@ -151,8 +151,10 @@ class AnimatePanel(SteppedPanel):
     def derivation(self) -> Derivation | None:
         """The page of the chosen track: what keys and in-betweens are, drawn and with its numbers."""
         session, track = self.session, self._track()
-        figure = session.active_figure
-        return None if track is None else derivation(session.sheet, track, figure, session.frames.number)
+        if track is None:
+            return None
+        figure, frame = session.active_figure, session.frames.number
+        return derivation(session.sheet, track, figure, self._keys_stepped(track), frame)
 
     def _take_tool_when_empty(self) -> None:
         """As everywhere; what moves in a scene is no reason to draw."""
@@ -199,9 +201,10 @@ class AnimatePanel(SteppedPanel):
             sheet, TimelineShown(rows, frames.count, frames.number, self.view.reach, chosen, values)
         )
         self.transport.refresh()
+        around = None if track is None else self._keys_stepped(track)
         for dock in (self.between, self.morph, self.turning, self.physics):
             if dock.isVisible() and not frames.playing:
-                dock.show_interval(sheet, shown, track, frames.number)
+                dock.show_interval(sheet, shown, track, around, frames.number)
         if sheet.motion is not None and not frames.playing:
             told = held_text(sheet, in_frame(sheet, frames.number).held)
             if told:
@@ -215,6 +218,11 @@ class AnimatePanel(SteppedPanel):
         if own is None or active == self._active:
             return track_on(sheet, self.chosen) or own or next(iter(tracks), None)
         return own
+
+    def _keys_stepped(self, track: Track) -> Interval | None:
+        """The keys around the frame; at a key those before or after it, as the run has them."""
+        session = self.session
+        return keys_stepped(session.sheet, session.state.subject, track.target, session.frames.number)
 
     @property
     def _active_id(self) -> str:

@@ -17,7 +17,7 @@ from workbench.panels.animate.names import label_of
 from workbench.panels.animate.physics import equation_of
 from workbench.panels.animate.spacing import Chart, box, chart_of, drawn
 from workbench.panels.animate.track_dock import TrackDock, box_of
-from workbench.rendering.subjects.track import keys_around
+from workbench.rendering.subjects.track import Interval
 
 
 class PhysicsDock(TrackDock):
@@ -38,9 +38,10 @@ class PhysicsDock(TrackDock):
         self.keep.clicked.connect(lambda: self.area_wanted.emit(self._figure))
         self.layout_below.addWidget(self.keep)
 
-    def show_interval(self, sheet: Sheet, shown: Sheet, track: Track | None, frame: int) -> None:
+    def show_interval(
+        self, sheet: Sheet, shown: Sheet, track: Track | None, around: Interval | None, frame: int
+    ) -> None:
         """How the chosen track spaces its frames between two keys, and how physics would."""
-        around = keys_around(track, frame) if track is not None else None
         group = group_moved(sheet, track) if track is not None else None
         self.keep.hide()
         if track is None or group is None or around is None or group.kind != "numbers":

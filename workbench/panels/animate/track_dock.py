@@ -10,6 +10,7 @@ from workbench.algorithms.marks import Points
 from workbench.document.model import Sheet
 from workbench.document.motion.model import Key, Track
 from workbench.language import _
+from workbench.rendering.subjects.track import Interval
 from workbench.widgets.canvas.drawing import Drawn
 from workbench.widgets.canvas.overlay import Handle
 from workbench.widgets.canvas.plane import Box, Plane
@@ -96,8 +97,10 @@ class TrackDock(QScrollArea):
         """As high as all of it, where there is room."""
         return QSize(260, 360)
 
-    def show_interval(self, sheet: Sheet, shown: Sheet, track: Track | None, frame: int) -> None:
-        """Show the keys of a track around a frame; without a track what to do."""
+    def show_interval(
+        self, sheet: Sheet, shown: Sheet, track: Track | None, around: Interval | None, frame: int
+    ) -> None:
+        """Show the keys ``around`` a frame of a track; without a track what to do."""
         raise NotImplementedError
 
     def show_nothing(self, title: str, note: str) -> None:

@@ -25,7 +25,7 @@ from workbench.panels.animate.turning import (
     ways_between,
     whole,
 )
-from workbench.rendering.subjects.track import keys_around
+from workbench.rendering.subjects.track import Interval
 
 _FOUR_PX = 160
 _NEARLY_LOCKED = 10.0
@@ -48,9 +48,10 @@ class TurningDock(TrackDock):
         self.way.activated.connect(lambda _index: self.turning_wanted.emit(self.way.currentData()))
         self.fields.addWidget(self.way)
 
-    def show_interval(self, sheet: Sheet, shown: Sheet, track: Track | None, frame: int) -> None:
+    def show_interval(
+        self, sheet: Sheet, shown: Sheet, track: Track | None, around: Interval | None, frame: int
+    ) -> None:
         """The ways between the keys around the frame of a track that is an angle or a turn in space."""
-        around = keys_around(track, frame) if track is not None else None
         group = group_moved(sheet, track) if track is not None else None
         in_space = group is not None and group.kind == "turn"
         self.way.setVisible(in_space and around is not None)

@@ -53,7 +53,8 @@ class FillCard(ParameterCard):
         self.limit.edited.connect(lambda value: self._put("recursion_limit", int(value)))
         self.limit.scrubbed.connect(lambda value: self._put("recursion_limit", int(value), "scrub"))
         self.limit.scrub_ended.connect(self._session.end_merge)
-        self.heat = QCheckBox(_("Tests of each pixel"))
+        self.heat = QCheckBox()
+        self.say_heat(0)
         self.heat.setToolTip(_("Colours and numbers each pixel by how often it has been tested so far"))
         self.heat.toggled.connect(self.heat_changed)
         self.note = QLabel()
@@ -108,6 +109,11 @@ class FillCard(ParameterCard):
         """What the inside-outside test found."""
         self.verdict.setText(sentence)
         self.verdict.setVisible(bool(sentence))
+
+    def say_heat(self, passed: int) -> None:
+        """What is counted: all tests, or those after so many steps, which are not recorded."""
+        text = _("Tests after step {n:,}") if passed else _("Tests of each pixel")
+        self.heat.setText(text.format(n=passed))
 
     def say_overflow(self, sentence: str) -> None:
         """What is said of a run that came to no end; nothing takes the place of what is wrong with a seed."""

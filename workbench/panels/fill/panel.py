@@ -50,7 +50,7 @@ class FillPanel(SteppedPanel):
         card = FillCard(session, self.canvas)
         card.heat_changed.connect(self.refresh_soon)
         self.plot = DepthPlot()
-        self.plot.step_wanted.connect(session.run.go_to_step)
+        self.plot.step_wanted.connect(self._go_to_counted)
         self.plot.shown.connect(self.refresh_soon)
         self.card = card
         self.view = FillView(
@@ -75,6 +75,10 @@ class FillPanel(SteppedPanel):
         figures = self.session.sheet.figures
         if figures:
             self.session.update_state(active=figures[-1].id)
+
+    def _go_to_counted(self, step: int) -> None:
+        """Go to a step of the whole run that is recorded, as its depth is known."""
+        self.session.run.go_to_step(step - self.session.run.passed)
 
     def _press(self, x: float, y: float, modifiers: Modifiers) -> None:
         super()._press(x, y, modifiers)

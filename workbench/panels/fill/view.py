@@ -10,7 +10,7 @@ from PySide6.QtCore import QTimer
 from workbench.algorithms.entry import CALLS
 from workbench.document.model import AnyFigure
 from workbench.engine.observation import Steps
-from workbench.engine.pending import Depths, PixelTests
+from workbench.engine.pending import Depths, PixelTests, stack_at
 from workbench.panels.fill.card import FillCard
 from workbench.panels.fill.tools import InsideTool
 from workbench.panels.stage.compose import Composition, Progress
@@ -99,12 +99,21 @@ class FillView(FigureView):
         run = self.stepped_run()
         self._take(run)
         recording = None if run is None else run.recording
-        if run is None or self._depths is None or recording is None:
+        self.fill_card.say_heat(0 if run is None else run.passed)
+        if run is None or self._steps is None or self._depths is None or recording is None:
             self.plot.show_depths(_NOTHING, False)
             return
-        recursive = self._steps is not None and self._steps.entry.stack == CALLS
-        self.plot.show_depths(self._depths.values, recursive, run.depth_limit if recursive else 0)
-        self.plot.show_cursor(run.step_number)
+        entry, depths = self._steps.entry, self._depths.values
+        self.plot.show_depths(
+            depths,
+            entry.stack == CALLS,
+            run.depth_limit if entry.stack == CALLS else 0,
+            begin_at=run.passed,
+            whole=run.done and not run.in_stretches and len(depths) > len(self._steps),
+        )
+        if self.plot.isVisible() and run.line_event >= 0:
+            now = len(stack_at(entry, recording, run.line_event))
+            self.plot.show_cursor(run.passed + run.step_number, now)
         self.fill_card.say_overflow(run.message if recording.error is not None else "")
 
     def _take(self, run: Run | None) -> None:

@@ -6,7 +6,7 @@ from threading import Event
 
 from PySide6.QtCore import QSize, Qt, QTimer
 from PySide6.QtGui import QKeyEvent, QShowEvent
-from PySide6.QtWidgets import QDockWidget, QLabel, QListWidget, QListWidgetItem, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QListWidget, QListWidgetItem, QVBoxLayout, QWidget
 
 from workbench.algorithms import catalogue
 from workbench.document.model import Sheet
@@ -18,6 +18,7 @@ from workbench.rendering.why_steps import MOST, Abandoned, Answer, nothing_happe
 from workbench.session.answers import Answers
 from workbench.session.session import Session
 from workbench.widgets.look.icons import icon
+from workbench.widgets.look.in_sight import bring_forward
 from workbench.widgets.look.plain_keys import is_plain
 
 _SETTLE_MS = 150
@@ -60,6 +61,7 @@ class WhyList(QWidget):
         self._answers.arrived.connect(self._take)
         session.changed.connect(self._stale)
         session.state_changed.connect(self._state_changed)
+        session.why_asked.connect(self._come_forward)
         self._say_empty()
 
     @property
@@ -71,14 +73,11 @@ class WhyList(QWidget):
         pixel = self._session.state.pixel
         if pixel != getattr(old, "pixel", None) or self._session.state.sheet != getattr(old, "sheet", ""):
             if pixel is not None:
-                self._raise()
+                self._come_forward()
             self._stale()
 
-    def _raise(self) -> None:
-        """Bring the dock to the front, if it belongs to what is seen."""
-        dock = self.parentWidget()
-        if isinstance(dock, QDockWidget) and not dock.isHidden():
-            dock.raise_()
+    def _come_forward(self) -> None:
+        bring_forward(self)
 
     def showEvent(self, event: QShowEvent) -> None:
         """Look when it is seen."""

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QScrollArea, QSizePolicy, QSl
 
 from workbench.document.scene.looking import receding
 from workbench.document.scene.model import Camera
-from workbench.document.scene.viewing import view_matrix
+from workbench.document.scene.viewing import is_central, projection_matrix, view_matrix
 from workbench.exchange.diagrams import MARGIN_PT, Derivation, Drawing, lay_out_derivation
 from workbench.exchange.formulas.terms import displayed
 from workbench.language import _, reason_of
@@ -184,22 +184,40 @@ class DerivationDock(QScrollArea):
 
     def _tell(self) -> None:
         camera, point = self._camera, self.triangles.point
-        lines = similar_lines(camera.distance, point)
-        if camera.projection != "perspective":
-            lines.insert(
-                0,
-                _("The projectors are parallel now; this is the perspective with $d = {d}$.").format(
-                    d=displayed(camera.distance)
-                ),
+        perspective = camera.projection == "perspective"
+        lines = [*similar_lines(camera.distance, point)]
+        try:
+            central = is_central(camera)
+            w = _w_now(camera, point)
+        except ValueError as error:
+            self.words.setText(reason_of(error))
+            return
+        if not perspective:
+            now = (
+                _(
+                    "The matrix is your own now, and its projectors meet in a point; this is the perspective "
+                    "with $d = {d}$."
+                )
+                if central
+                else _("The projectors are parallel now; this is the perspective with $d = {d}$.")
             )
+            lines.insert(0, now.format(d=displayed(camera.distance)))
         self.words.setText("<br>".join(map(rich, lines)))
-        central = camera.projection == "perspective"
-        self.inverse.setText(displayed(1.0 / camera.distance) if central else "0")
-        w = point.z / camera.distance if central else 1.0  # z from the plane, and d, make z from the eye
-        plane_at = _("$w = 1 + z/d = {w}$ now.").format(w=displayed(w))
-        self.limit.setText(
-            "<br>".join(map(rich, (*limit_lines(camera.distance, point), plane_at, *book(camera))))
-        )
+        if perspective:
+            self.inverse.setText(displayed(1.0 / camera.distance))
+        else:
+            self.inverse.setText("\N{EN DASH}" if central else "0")
+        self.limit.setText("<br>".join(map(rich, (*limit_lines(camera.distance, point), w, *book(camera)))))
+
+
+def _w_now(camera: Camera, point: InView) -> str:
+    """What w is, as the camera projects a point now. Raises: ValueError where the matrix is no projection."""
+    if camera.projection == "matrix":
+        w = float(projection_matrix(camera)[3] @ [point.x, point.y, point.z, 1.0])
+        return _("The last row of your matrix gives $w = {w}$ now.").format(w=displayed(w))
+    # z from the plane, and d, make z from the eye
+    w = point.z / camera.distance if camera.projection == "perspective" else 1.0
+    return _("$w = 1 + z/d = {w}$ now.").format(w=displayed(w))
 
 
 def book(camera: Camera) -> list[str]:

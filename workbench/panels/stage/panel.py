@@ -353,6 +353,7 @@ class FigurePanel(ChosenFigures, QWidget):
             self.hover_text.emit(_("Point at a pixel first, then ask why it is as it is."))
         else:
             self.session.update_state(pixel=cell)
+            self.session.why_asked.emit()
 
     def _arrow(self, dx: int, dy: int, modifiers: Modifiers) -> None:
         """Arrows nudge what is selected; with nothing selected they step."""

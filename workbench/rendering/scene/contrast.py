@@ -15,7 +15,7 @@ from workbench.algorithms.numerals import with_minus
 from workbench.algorithms.projection import Classification, classify
 from workbench.document.scene.looking import projecting
 from workbench.document.scene.model import Camera, Scene
-from workbench.document.scene.viewing import projection_matrix, view_matrix
+from workbench.document.scene.viewing import is_central, projection_matrix, view_matrix
 from workbench.geometry.meshes import Array, Index, edges_of
 from workbench.language import _
 from workbench.rendering.scene.render import placed
@@ -61,8 +61,12 @@ class _Seen(NamedTuple):
 
 
 def pair_of(camera: Camera) -> tuple[Camera, Camera]:
-    """The parallel and the perspective projection from where a camera stands; its own is one of them."""
-    if camera.projection == "perspective":
+    """The parallel and the perspective projection from where a camera stands.
+
+    Its own is one of them, unless it is a central matrix of one's own, whose centre need not be the eye.
+    """
+    if is_central(camera):
+        camera = replace(camera, projection="perspective")
         return replace(camera, projection="orthographic"), camera
     return camera, replace(camera, projection="perspective")
 

@@ -20,6 +20,7 @@ from workbench.language import _
 from workbench.rendering.mapping import Call
 from workbench.rendering.subjects.registry import Given, SubjectKind, mapped, register
 
+Interval = tuple[Key, Key]
 KIND = "track"
 TWEEN, SPLINE_TWEEN, MORPH, SLERP = (text.__name__ for text in (tween, spline_tween, morph, slerp))
 _SHAPES = ("tension", "continuity", "bias")
@@ -42,15 +43,10 @@ def aimed(sheet: Sheet, subject: Subject, target: str, frame: int) -> tuple[Subj
     between them. Step 0 where no step shows the frame: it lies before the first key or after the last one,
     or an outline is stepped, vertex by vertex.
     """
-    track, group = track_on(sheet, target), group_of(sheet, target)
-    same = subject.arguments.get("target") == target
-    own = subject.arguments.get("frame", frame) if same else frame
-    assert isinstance(own, int)
-    first, last = _ends(track, own)
-    if not first <= frame <= last:
-        first, last = _ends(track, frame)
-    outline = group is not None and group.kind == "outline"
-    entry = subject.entry if same else ""
+    track, outline = track_on(sheet, target), _is_outline(sheet, target)
+    around = keys_stepped(sheet, subject, target, frame)
+    first, last = (frame, frame) if around is None else (around[0].frame, around[1].frame)
+    entry = subject.entry if subject.arguments.get("target") == target else ""
     aim = replace(at_frame(target, frame if outline else first), entry=entry)
     choices = _choices(sheet, aim)
     if entry not in choices:
@@ -60,10 +56,24 @@ def aimed(sheet: Sheet, subject: Subject, target: str, frame: int) -> tuple[Subj
     return aim, 0 if outline or not first <= frame <= last else frame - first + 1
 
 
-def _ends(track: Track | None, frame: int) -> tuple[int, int]:
-    """The frames of the keys around a frame; without two keys the frame itself."""
-    around = None if track is None else keys_around(track, frame)
-    return (around[0].frame, around[1].frame) if around else (frame, frame)
+def keys_stepped(sheet: Sheet, subject: Subject, target: str, frame: int) -> Interval | None:
+    """The two keys of the track on ``target`` that are stepped where a frame is: those of ``subject`` where
+    the frame lies between them, so that the last step of two keys is theirs; else those around the frame.
+    """
+    track, own = track_on(sheet, target), subject.arguments.get("frame", frame)
+    if track is None:
+        return None
+    if subject.arguments.get("target") == target and not _is_outline(sheet, target):
+        assert isinstance(own, int)
+        around = keys_around(track, own)
+        if around is not None and around[0].frame <= frame <= around[1].frame:
+            return around
+    return keys_around(track, frame)
+
+
+def _is_outline(sheet: Sheet, target: str) -> bool:
+    group = group_of(sheet, target)
+    return group is not None and group.kind == "outline"
 
 
 def track_of(sheet: Sheet, subject: Subject) -> Track | None:
@@ -74,7 +84,7 @@ def track_of(sheet: Sheet, subject: Subject) -> Track | None:
     return next((each for each in motion_of(sheet).tracks if group_moved(sheet, each) is not None), None)
 
 
-def keys_around(track: Track, frame: int) -> tuple[Key, Key] | None:
+def keys_around(track: Track, frame: int) -> Interval | None:
     """The two keys between which a frame lies, at an end the last two; None where there is but one."""
     if len(track.keys) < 2:
         return None

@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 
 from workbench.exchange.writing import FileFormat
 from workbench.language import _
+from workbench.widgets.look.borrowed_focus import BorrowedFocus
 
 WIDTH_PX, GAP_PX = 296, 12
 WIDTHS = (480, 800, 1200, 1600)
@@ -48,6 +49,7 @@ class WritingCard(QFrame):
         super().__init__(owner)
         self._owner, self._beside = owner, beside
         self._pictures: Pictures | None = None
+        self._focus = BorrowedFocus(self)
         self.setObjectName("card")
         self.setFixedWidth(WIDTH_PX)
         self._title, self.note = QLabel(), QLabel()
@@ -106,7 +108,7 @@ class WritingCard(QFrame):
         self.speed.setCurrentIndex(chosen if chosen >= 0 else self.speed.findData(pictures.usual))
         self._dress(pictures.title, "", choosing=True)
         self._follow()
-        self.kind.setFocus(Qt.FocusReason.OtherFocusReason)
+        self._focus.take(self.kind)
 
     def progress(self, title: str) -> None:
         """Something is being written."""
@@ -123,17 +125,26 @@ class WritingCard(QFrame):
 
     def stop(self) -> None:
         """It was cancelled, and ends soon."""
+        self._focus.give_back()
         self.cancel.setEnabled(False)
         self.note.setText(_("Cancelling ..."))
 
+    def put_away(self) -> None:
+        """Hide it; the focus goes back where it was."""
+        self._focus.give_back()
+        self.hide()
+
     def _dress(self, title: str, note: str, choosing: bool) -> None:
+        self._focus.remember()
         self._title.setText(title)
         self.setAccessibleName(title)
         self.note.setText(note)
+        self.cancel.setEnabled(True)
+        if self._focus.here and not choosing:
+            self.cancel.setFocus(Qt.FocusReason.OtherFocusReason)
         self._choices.setVisible(choosing)
         self.go.setVisible(choosing)
         self.bar.setVisible(not choosing)
-        self.cancel.setEnabled(True)
         self.show()
         self.raise_()
         self._place()

@@ -53,6 +53,13 @@ def dock_around(part: QWidget) -> QDockWidget | None:
     return around
 
 
+def bring_forward(part: QWidget) -> None:
+    """Bring the dock in which it lies before the others, if that is one of what is seen."""
+    dock = dock_around(part)
+    if dock is not None and dock.isVisible():
+        dock.raise_()
+
+
 def in_front(dock: QDockWidget) -> bool:
     """Whether a dock is none of those behind tabs, which Qt lays out beyond the corner of the window."""
     place = dock.geometry()

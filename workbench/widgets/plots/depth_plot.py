@@ -29,27 +29,47 @@ class DepthPlot(Plot):
         self._curve: Any = None
         self._limit_line: Any = None
         self._depths: NDArray[np.int64] = np.zeros(0, np.int64)
-        self._cursor = 0
+        self._begin_at = self._cursor = self._now = 0
         self._limit = 0
         self._calls = False
+        self._whole = True
         self._say()
 
     @property
     def depths(self) -> NDArray[np.int64]:
-        """(n,) the depths shown, after steps 0 to n - 1."""
+        """(n,) the depths shown, after the steps ``begin_at`` to ``begin_at`` + n - 1."""
         return self._depths
 
-    def show_depths(self, depths: NDArray[np.int64], calls: bool, limit: int = 0) -> None:
-        """Plot these depths, of ``calls`` under way or of a stack; a ``limit`` that is near is marked."""
-        if (calls, limit) != (self._calls, self._limit) or not np.array_equal(depths, self._depths):
-            self._depths, self._calls, self._limit = depths.copy(), calls, limit
+    @property
+    def begin_at(self) -> int:
+        """The step after which the first depth was."""
+        return self._begin_at
+
+    def show_depths(
+        self,
+        depths: NDArray[np.int64],
+        calls: bool,
+        limit: int = 0,
+        *,
+        begin_at: int = 0,
+        whole: bool = True,
+    ) -> None:
+        """Plot these depths, of ``calls`` under way or of a stack; a ``limit`` that is near is marked.
+
+        The first is that after step ``begin_at``; ``whole``: they are those of all steps of the run.
+        """
+        shown = (calls, limit, begin_at, whole)
+        known = (self._calls, self._limit, self._begin_at, self._whole)
+        if shown != known or not np.array_equal(depths, self._depths):
+            self._depths = depths.copy()
+            self._calls, self._limit, self._begin_at, self._whole = shown
             self._draw()
             self._say()
 
-    def show_cursor(self, step: int) -> None:
-        """Mark this step."""
-        if step != self._cursor:
-            self._cursor = step
+    def show_cursor(self, step: int, now: int) -> None:
+        """Mark this step; the depth is ``now`` there, be it counted yet or not."""
+        if (step, now) != (self._cursor, self._now):
+            self._cursor, self._now = step, now
             self.place_cursor(step)
             self._say()
 
@@ -59,14 +79,29 @@ class DepthPlot(Plot):
             self.say(_("Choose a seed fill: how deep its stack is at each step is plotted here."))
             return
         deepest = int(self._depths.max())
-        first = int(np.argmax(self._depths))
-        now = int(self._depths[min(self._cursor, count - 1)])
-        text = (
-            _("{now} calls active; at most {deepest}, first at step {first}.")
-            if self._calls
-            else _("{now} on the stack; at most {deepest}, first after step {first}.")
-        )
-        self.say(text.format(now=f"{now:,}", deepest=f"{deepest:,}", first=f"{first:,}"))
+        first = self._begin_at + int(np.argmax(self._depths))
+        if self._whole and self._calls:
+            text = _("{now} calls active; at most {deepest}, first at step {first}.")
+        elif self._whole:
+            text = _("{now} on the stack; at most {deepest}, first after step {first}.")
+        elif self._calls:
+            text = _(
+                "{now} calls active. Counted so far, from step {begin} to {end}: at most {deepest}, first at "
+                "step {first}."
+            )
+        else:
+            text = _(
+                "{now} on the stack. Counted so far, from step {begin} to {end}: at most {deepest}, first "
+                "after step {first}."
+            )
+        numbers = {
+            "now": self._now,
+            "deepest": deepest,
+            "first": first,
+            "begin": self._begin_at,
+            "end": self._begin_at + count - 1,
+        }
+        self.say(text.format(**{name: f"{number:,}" for name, number in numbers.items()}))
 
     def _begin(self) -> None:
         import pyqtgraph
@@ -92,7 +127,7 @@ class DepthPlot(Plot):
             # The greatest of each stretch, so that no peak is lost.
             stretches = np.array_split(chosen, MOST_POINTS)
             chosen = np.array([part[np.argmax(self._depths[part])] for part in stretches])
-        self._curve.setData(chosen, self._depths[chosen])
+        self._curve.setData(self._begin_at + chosen, self._depths[chosen])
         near = bool(self._limit) and count > 0 and int(self._depths.max()) > self._limit / 2
         self._limit_line.setVisible(near)
         if near:
@@ -104,12 +139,13 @@ class DepthPlot(Plot):
 
     @property
     def reach(self) -> tuple[float, float] | None:
-        """The first and the last step."""
-        return (0.0, len(self._depths) - 1.0) if len(self._depths) else None
+        """The first and the last step that is counted."""
+        count = len(self._depths)
+        return (float(self._begin_at), self._begin_at + count - 1.0) if count else None
 
     def numbers(self) -> Table | None:
         """Step and depth."""
-        rows = [(str(step), str(depth)) for step, depth in enumerate(self._depths.tolist())]
+        rows = [(str(step), str(depth)) for step, depth in enumerate(self._depths.tolist(), self._begin_at)]
         return Table((_("step"), _("depth")), rows, formulas=False) if rows else None
 
     def _chosen(self, x: float) -> None:

@@ -29,7 +29,6 @@ from workbench.widgets.plots.library import library
 from workbench.widgets.tables.table_copies import put_on_clipboard
 
 _ZOOM = 0.8
-_AXIS_PX = 48
 _GRID = 0.45
 _TITLES_PX = 44  # what the axis below takes with its title
 _STEPS_TEN = 10
@@ -142,15 +141,14 @@ class Plot(QWidget):
         for side in ("left", "bottom"):
             axis = self._plot.getAxis(side)
             axis.enableAutoSIPrefix(False)
-            axis.setStyle(tickFont=self._font(), tickTextOffset=4, tickLength=-4)
+            axis.setStyle(tickFont=self._font(), tickTextOffset=4, tickLength=-4, autoReduceTextSpace=False)
             axis.setCacheMode(_KEPT)
-        self._plot.getAxis("left").setWidth(scaled(_AXIS_PX))
         self._plot.showGrid(y=True, alpha=_GRID)
         self._begin()
         self._lay(self._cursor_line)
         self._column.insertWidget(self._column.indexOf(self.caption) + 1, self._plot, 1)
         self._take_theme()
-        self._plot.getPlotItem().vb.sigResized.connect(self._fit)
+        self._plot.getPlotItem().vb.sigResized.connect(self._resized)
 
     def _lay(self, *items: Any, kept: bool = False) -> None:
         """Lay items on the plot, whatever its range; ``kept`` ones are painted once, not with each cursor."""
@@ -168,7 +166,6 @@ class Plot(QWidget):
         if self._plot is not None:
             for side in ("left", "bottom"):
                 self._plot.getAxis(side).setStyle(tickFont=self._font())
-            self._plot.getAxis("left").setWidth(scaled(_AXIS_PX))
             self._restyle()
 
     def _take_theme(self) -> None:
@@ -196,6 +193,15 @@ class Plot(QWidget):
         left, bottom = (self._plot.getAxis(side) for side in ("left", "bottom"))
         left.showLabel(0 < metrics.horizontalAdvance(left.labelText) <= room)
         bottom.showLabel(bool(bottom.labelText) and room >= _TITLES_PX)
+
+    def _resized(self) -> None:
+        for side in ("left", "bottom"):
+            axis = self._plot.getAxis(side)
+            axis.setCacheMode(
+                QGraphicsItem.CacheMode.NoCache
+            )  # Qt would paint only what a kept item has grown by
+            axis.setCacheMode(_KEPT)
+        self._fit()
 
     # The hand
 

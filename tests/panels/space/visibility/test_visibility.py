@@ -2,10 +2,13 @@
 
 import numpy as np
 import pytest
+from msgspec.structs import replace
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QApplication, QLabel
 
 from tests.panels.by_hand import recorded, settle
+from workbench.document.scene.edits import set_camera
+from workbench.document.scene.viewing import projection_matrix
 from workbench.document.subjects import Subject
 from workbench.exchange.diagrams import Sentence
 from workbench.panels.space.visibility.depth_run import depth_run
@@ -213,6 +216,22 @@ def test_gains_and_costs_are_measured_on_the_scene(qtbot, page, session):
     assert "2 triangles, 893 fragments" in text
     assert "12,288 bytes" in text
     assert "Δz = (f − n) / (2<sup>b</sup> − 1)" in text
+
+
+def test_a_matrix_of_ones_own_has_no_formula_for_its_depths(qtbot, page, session):
+    scene = session.sheet.scene
+    own = replace(
+        scene.camera,
+        projection="matrix",
+        entries=tuple(projection_matrix(scene.camera).ravel().tolist()),
+    )
+    session.apply(set_camera(session.sheet.id, own), "Own")
+    recorded(qtbot, session)
+    qtbot.addWidget(page.cost)
+    page.cost.show()
+    qtbot.waitUntil(lambda: page.cost.measures is not None, timeout=5000)
+    assert "Depths are not rounded now" in page.cost.words.text()
+    assert "Δz" not in page.cost.words.text()
 
 
 def test_near_beyond_the_scene_leaves_nothing_and_framing_brings_it_back(qtbot, page, session):

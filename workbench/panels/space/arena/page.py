@@ -124,7 +124,7 @@ class ArenaPage(PlainPage, QWidget):
         self.grid.chosen.connect(self.choose)
         self.grid.stepped.connect(self.step_method)
         self.grid.pointed.connect(self._point)
-        self.grid.asked.connect(lambda cell: session.update_state(pixel=cell))
+        self.grid.asked.connect(self._ask_about)
         self.question.seen.connect(self._measure_if_not_yet)
         self.growth.seen.connect(self._measure_if_not_yet)
         self.worker.told.connect(self._take)
@@ -347,7 +347,11 @@ class ArenaPage(PlainPage, QWidget):
         if self.grid.pointed_cell is None:
             self.hover_text.emit(_("Point at a pixel first, then ask why it is as it is."))
         else:
-            self.session.update_state(pixel=self.grid.pointed_cell)
+            self._ask_about(self.grid.pointed_cell)
+
+    def _ask_about(self, cell: tuple[int, int]) -> None:
+        self.session.update_state(pixel=cell)
+        self.session.why_asked.emit()
 
     def step_method(self, method: str) -> None:
         """Step a method on the page Visibility, the first wrong pixel pointed at."""

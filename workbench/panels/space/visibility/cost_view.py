@@ -232,21 +232,22 @@ def _memory(run: DepthRun) -> str:
 def _rounded(run: DepthRun, found: DepthMeasures) -> str:
     """How many pixels are wrong, and the formula that says where."""
     assert run.sheet.scene is not None
-    camera = run.sheet.scene.camera
-    bits = run.bits or _FORMULA_BITS
-    deepest = float(run.fragments.z.max()) / run.farthest
-    z, apart = distance_of(camera, deepest), least_distance(camera, deepest, bits)
-    formula = (
-        "Δz = z² (f − n) / (f n (2<sup>b</sup> − 1))"
-        if camera.projection == "perspective"
-        else "Δz = (f − n) / (2<sup>b</sup> − 1)"
-    )
+    camera, bits = run.sheet.scene.camera, run.bits or _FORMULA_BITS
     wrong = (
         _("With {bits} bits {n:,} of {covered:,} pixels show another triangle than without rounding.").format(
             bits=bits, n=found.rounded, covered=found.covered
         )
         if run.bits
         else _("Depths are not rounded now; with few bits, surfaces close to one another cause z-fighting.")
+    )
+    if camera.projection == "matrix":
+        return wrong  # it has a formula of its own
+    deepest = float(run.fragments.z.max()) / run.farthest
+    z, apart = distance_of(camera, deepest), least_distance(camera, deepest, bits)
+    formula = (
+        "Δz = z² (f − n) / (f n (2<sup>b</sup> − 1))"
+        if camera.projection == "perspective"
+        else "Δz = (f − n) / (2<sup>b</sup> − 1)"
     )
     where = _(
         "{formula}: at z = {z:.4g}, b = {bits}, surfaces less than {apart:.3g} apart may show z-fighting."

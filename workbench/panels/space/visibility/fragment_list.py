@@ -12,6 +12,7 @@ from workbench.rendering.scene.fragments import NOTHING
 from workbench.rendering.subjects.visibility import is_of_the_scene, method_of
 from workbench.session.session import Session
 from workbench.widgets.look.icons import icon
+from workbench.widgets.look.in_sight import bring_forward
 from workbench.widgets.look.plain_keys import is_plain
 
 
@@ -24,6 +25,7 @@ class FragmentList(QWidget):
         super().__init__(parent)
         self._session = session
         self._shown: tuple[object, ...] = ()
+        session.why_asked.connect(self._come_forward)
         self.caption = QLabel()
         self.caption.setWordWrap(True)
         self.caption.setContentsMargins(12, 8, 12, 4)
@@ -42,6 +44,9 @@ class FragmentList(QWidget):
         column.addWidget(self.caption)
         column.addWidget(self.list, 1)
         self.setAutoFillBackground(True)
+
+    def _come_forward(self) -> None:
+        bring_forward(self)
 
     def refresh(self, run: DepthRun | None, keeps_depths: bool = True) -> None:
         """Follow the run: the fragments, or what was painted where a method keeps no depths."""

@@ -343,6 +343,7 @@ class VisibilityPage(PlainPage, QWidget):
             self.hover_text.emit(_("Point at a pixel first, then ask why it is as it is."))
         else:
             self.session.update_state(pixel=cell)
+            self.session.why_asked.emit()
 
     def frame_scene(self) -> None:
         """Move the camera, and the window if there is one, so far that all of the scene is seen."""
