@@ -77,7 +77,7 @@ def test_points_near_the_end_of_the_world_become_a_curve(
     capsys: pytest.CaptureFixture[str], folder: Path
 ) -> None:
     (folder / "far.csv").write_text("999999,0\n1000000,999999\n999000,5\n")
-    assert "pass 3 points" in printed(capsys, "convert", "far.csv", "-o", "far.gwb")
+    assert "pass exactly through 3 points" in printed(capsys, "convert", "far.csv", "-o", "far.gwb")
     assert load(folder / "far.gwb").sheets[0].first_view.window_world.xmax == 1_000_000
 
 

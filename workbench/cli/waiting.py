@@ -1,0 +1,35 @@
+"""What takes long says so meanwhile, and can be ended."""
+
+import sys
+import threading
+from collections.abc import Callable
+from contextlib import suppress
+from typing import Any
+
+AFTER_S, EVERY_S = 5.0, 30.0
+
+
+def telling(work: Callable[[], Any], sentence: str) -> Any:
+    """What ``work`` gives, or raises. While it lasts, ``sentence`` is told now and then on standard error.
+
+    It runs on another thread, so that Ctrl+C is heard beside compiled code.
+    """
+    results: list[Any] = []
+    failures: list[BaseException] = []
+
+    def run() -> None:
+        try:
+            results.append(work())
+        except BaseException as failure:
+            failures.append(failure)
+
+    thread = threading.Thread(target=run, daemon=True)
+    thread.start()
+    thread.join(AFTER_S)
+    while thread.is_alive():
+        with suppress(OSError):
+            print(sentence, file=sys.stderr, flush=True)
+        thread.join(EVERY_S)
+    if failures:
+        raise failures[0]
+    return results[0]
