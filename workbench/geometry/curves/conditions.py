@@ -8,6 +8,8 @@ from typing import Literal, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from workbench.language import ngettext
+
 
 class Fault(NamedTuple):
     """What is wrong: at which point, weight or knot (-1: all of them), and what to do about it."""
@@ -37,7 +39,12 @@ def faults(
         faulty.append(Fault("points", int(i), f"Point {i} is not finite; give it numbers."))
     least = max(least, (degree or 0) + 1)
     if len(shape) < least:
-        sentence = f"There are {len(shape)} points, and {least} are needed; add {least - len(shape)}."
+        count = len(shape)
+        sentence = ngettext(
+            "There is {count} point, and {least} are needed; add {missing}.",
+            "There are {count} points, and {least} are needed; add {missing}.",
+            count,
+        ).format(count=count, least=least, missing=least - count)
         faulty.append(Fault("points", -1, sentence))
     if degree is not None and degree < 1:
         faulty.append(Fault("degree", -1, f"The degree is {degree}; it must be 1 or more."))
@@ -56,7 +63,12 @@ def refuse(found: list[Fault]) -> None:
 
 def _weight_faults(weights: NDArray[np.float64], count: int) -> list[Fault]:
     if weights.shape != (count,):
-        return [Fault("weights", -1, f"There are {weights.size} weights for {count} points; give each one.")]
+        sentence = ngettext(
+            "There is {size} weight for {count} points; give each one.",
+            "There are {size} weights for {count} points; give each one.",
+            weights.size,
+        )
+        return [Fault("weights", -1, sentence.format(size=weights.size, count=count))]
     return [
         Fault("weights", int(i), f"Weight {i} is {weights[i]:g}; it must be a finite number above 0.")
         for i in np.flatnonzero(~(np.isfinite(weights) & (weights > 0)))
@@ -66,7 +78,11 @@ def _weight_faults(weights: NDArray[np.float64], count: int) -> list[Fault]:
 def _knot_faults(knots: NDArray[np.float64], count: int, degree: int) -> list[Fault]:
     needed = count + degree + 1
     if knots.shape != (needed,):
-        what = f"There are {knots.size} knots, and {count} points of degree {degree} need {needed}"
+        what = ngettext(
+            "There is {size} knot, and {count} points of degree {degree} need {needed}",
+            "There are {size} knots, and {count} points of degree {degree} need {needed}",
+            knots.size,
+        ).format(size=knots.size, count=count, degree=degree, needed=needed)
         more = knots.size - needed
         return [Fault("knots", -1, f"{what}; {'take away' if more > 0 else 'add'} {abs(more)}.")]
     unbounded = [
