@@ -8,6 +8,7 @@ import numpy as np
 from msgspec.structs import replace
 from numpy.typing import NDArray
 
+from workbench.algorithms.visibility import depth_buffer
 from workbench.cli import outputs
 from workbench.cli.failure import BadInputError
 from workbench.cli.sheets import sheet_of
@@ -64,6 +65,8 @@ def render_model(options: argparse.Namespace) -> str:
             outputs.write(row, (segments, window, size), options.output)
         if row.kind == "picture" or depth_row:
             meanwhile = _("Still drawing by {method}, which may take minutes; depth_buffer is the quickest.")
+            if options.visibility == depth_buffer.__name__:
+                meanwhile = _("Still drawing; a smaller size is quicker.")
             image, depth = telling(lambda: seen.picture(size), meanwhile.format(method=options.visibility))
             if row.kind == "picture":
                 outputs.write(row, (image, 1), options.output)

@@ -1,10 +1,11 @@
 """What takes long says so meanwhile, and can be ended."""
 
 import sys
-import threading
 from collections.abc import Callable
 from contextlib import suppress
 from typing import Any
+
+from workbench.engine.background import Thread
 
 AFTER_S, EVERY_S = 5.0, 30.0
 
@@ -23,10 +24,10 @@ def telling(work: Callable[[], Any], sentence: str) -> Any:
         except BaseException as failure:
             failures.append(failure)
 
-    thread = threading.Thread(target=run, daemon=True)
+    thread = Thread(run, "work")
     thread.start()
     thread.join(AFTER_S)
-    while thread.is_alive():
+    while not thread.ended:
         with suppress(OSError):
             print(sentence, file=sys.stderr, flush=True)
         thread.join(EVERY_S)

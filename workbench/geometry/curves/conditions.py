@@ -8,8 +8,6 @@ from typing import Literal, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from workbench.language import ngettext
-
 
 class Fault(NamedTuple):
     """What is wrong: at which point, weight or knot (-1: all of them), and what to do about it."""
@@ -39,12 +37,8 @@ def faults(
         faulty.append(Fault("points", int(i), f"Point {i} is not finite; give it numbers."))
     least = max(least, (degree or 0) + 1)
     if len(shape) < least:
-        count = len(shape)
-        sentence = ngettext(
-            "There is {count} point, and {least} are needed; add {missing}.",
-            "There are {count} points, and {least} are needed; add {missing}.",
-            count,
-        ).format(count=count, least=least, missing=least - count)
+        there = "There is 1 point" if len(shape) == 1 else f"There are {len(shape)} points"
+        sentence = f"{there}, and {least} are needed; add {least - len(shape)}."
         faulty.append(Fault("points", -1, sentence))
     if degree is not None and degree < 1:
         faulty.append(Fault("degree", -1, f"The degree is {degree}; it must be 1 or more."))
@@ -63,12 +57,8 @@ def refuse(found: list[Fault]) -> None:
 
 def _weight_faults(weights: NDArray[np.float64], count: int) -> list[Fault]:
     if weights.shape != (count,):
-        sentence = ngettext(
-            "There is {size} weight for {count} points; give each one.",
-            "There are {size} weights for {count} points; give each one.",
-            weights.size,
-        )
-        return [Fault("weights", -1, sentence.format(size=weights.size, count=count))]
+        there = "There is 1 weight" if weights.size == 1 else f"There are {weights.size} weights"
+        return [Fault("weights", -1, f"{there} for {count} points; give each one.")]
     return [
         Fault("weights", int(i), f"Weight {i} is {weights[i]:g}; it must be a finite number above 0.")
         for i in np.flatnonzero(~(np.isfinite(weights) & (weights > 0)))
@@ -78,11 +68,8 @@ def _weight_faults(weights: NDArray[np.float64], count: int) -> list[Fault]:
 def _knot_faults(knots: NDArray[np.float64], count: int, degree: int) -> list[Fault]:
     needed = count + degree + 1
     if knots.shape != (needed,):
-        what = ngettext(
-            "There is {size} knot, and {count} points of degree {degree} need {needed}",
-            "There are {size} knots, and {count} points of degree {degree} need {needed}",
-            knots.size,
-        ).format(size=knots.size, count=count, degree=degree, needed=needed)
+        there = "There is 1 knot" if knots.size == 1 else f"There are {knots.size} knots"
+        what = f"{there}, and {count} points of degree {degree} need {needed}"
         more = knots.size - needed
         return [Fault("knots", -1, f"{what}; {'take away' if more > 0 else 'add'} {abs(more)}.")]
     unbounded = [
