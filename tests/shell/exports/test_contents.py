@@ -111,9 +111,10 @@ def test_asked_first_the_files_tell_nothing_beforehand(
     window.session.update_state(ask_first=True)
     qtbot.waitUntil(lambda: window.session.run.ask_first)
     trigger(window, "export_hand")
-    assert window.status.hover.text().startswith("There is no hand table yet")
+    assert window.status.hover.text().startswith("The steps are kept back")
+    window.say_status("")
     trigger(window, "export_run")
-    assert window.status.hover.text().startswith("No run is recorded")
+    assert window.status.hover.text().startswith("The steps are kept back")
     assert not any("line" in each.title for each in window.files.exports.tables())
 
 
