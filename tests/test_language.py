@@ -16,7 +16,8 @@ def test_what_is_said_to_be_at_most_so_much_is(value: float) -> None:
 
 
 @pytest.mark.parametrize(
-    ("value", "said"), [(0.0344, "0.035"), (0.25, "0.25"), (0.99999, "1"), (0.0, "0"), (math.inf, "inf")]
+    ("value", "said"),
+    [(0.0344, "0.035"), (0.25, "0.25"), (0.99999, "1"), (0.0, "0"), (1e-320, "1e-320"), (math.inf, "inf")],
 )
 def test_a_bound_has_two_figures(value: float, said: str) -> None:
     assert at_most(value) == said

@@ -29,7 +29,7 @@ def reason_of(error: Exception) -> str:
 
 def at_most(value: float) -> str:
     """A bound of two figures, rounded up, so that what is said to be at most so much is."""
-    if not 0.0 < value < math.inf:
+    if not 1e-300 < value < math.inf:
         return f"{value:.2g}"
     step = 10.0 ** (math.floor(math.log10(value)) - 1)
     return f"{math.ceil(value / step - 1e-9) * step:.2g}"

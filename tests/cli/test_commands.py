@@ -294,10 +294,15 @@ def test_draw_says_what_another_algorithm_drew(capsys: pytest.CaptureFixture[str
     assert output.exists()
 
 
-def test_draw_says_what_is_wrong(capsys: pytest.CaptureFixture[str], file: Path) -> None:
+def test_draw_says_what_is_wrong_before_it_draws(
+    capsys: pytest.CaptureFixture[str], file: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("workbench.rendering.frame_buffer", None)
     output = str(file.with_suffix(".png"))
-    assert "no sheet 7" in refused(capsys, "draw", str(file), "-o", output, "--sheet", "7")
-    assert "cell" in refused(capsys, "draw", str(file), "-o", output, "--cell", "0")
+    said = refused(capsys, "draw", str(file), "-o", output, "--sheet", "7")
+    assert "has one sheet, so there is no sheet 7" in said
+    for cell in ("0", "1000000"):
+        assert "cell" in refused(capsys, "draw", str(file), "-o", output, "--cell", cell)
     file.write_text(file.read_text()[:-40])
     assert str(file) in refused(capsys, "draw", str(file), "-o", output)
     assert not Path(output).exists()

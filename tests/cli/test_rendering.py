@@ -9,7 +9,9 @@ from PIL import Image
 
 from tests.cli.test_commands import printed, refused
 from tests.document.scene.scenes import full_document
+from workbench.__main__ import main
 from workbench.algorithms import solids
+from workbench.cli import rendering, waiting
 from workbench.document import load, save
 from workbench.document.samples.examples import example_document
 from workbench.exchange.mesh_reading import read_mesh
@@ -139,3 +141,28 @@ def test_near_behind_far_is_refused_by_its_field(capsys: pytest.CaptureFixture[s
     (folder / "scene.gwb").write_text(text.replace('"eye": {', '"near": 50.0, "far": 5.0, "eye": {', 1))
     line = refused(capsys, "render", "scene.gwb", "-o", "a.png")
     assert "sheets[0].scene.camera sees nothing (the near plane is at 50 and the far plane at 5" in line
+
+
+def test_what_takes_long_says_so_meanwhile(
+    capsys: pytest.CaptureFixture[str], folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(waiting, "AFTER_S", 0.0)
+    monkeypatch.setattr(waiting, "EVERY_S", 60.0)
+    draw = rendering.render_mesh
+
+    def slow(*given: Any) -> Any:
+        while "Still drawing" not in (said := capsys.readouterr().err):
+            pass
+        told.append(said)
+        return draw(*given)
+
+    told: list[str] = []
+    monkeypatch.setattr(rendering, "render_mesh", slow)
+    assert main(("render", "house.obj", "-o", "a.png", "--size", "80x60", "--visibility", "painter")) == 0
+    assert told == ["Still drawing by painter, which may take minutes; depth_buffer is the quickest.\n"]
+    assert pixels("a.png").any()
+
+
+def test_what_fails_beside_is_told_here(capsys: pytest.CaptureFixture[str], folder: Path) -> None:
+    with pytest.raises(ZeroDivisionError):
+        waiting.telling(lambda: 1 // 0, "")

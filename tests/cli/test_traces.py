@@ -12,6 +12,7 @@ import pytest
 from workbench.algorithms import catalogue
 from workbench.algorithms.entry import Entry
 from workbench.cli import traces
+from workbench.cli.arguments import read_arguments
 from workbench.cli.failure import BadInputError, WorkError
 from workbench.exchange.tables import to_csv, to_json, to_text
 
@@ -92,3 +93,22 @@ def test_arrays_of_a_wrong_shape_are_told_beside_those_of_the_example(
     given, example = str(said.value).split("; in its example they are ")
     assert f"{name} {' × '.join(map(str, shape))}" in given
     assert f"{name} {' × '.join(map(str, right))}" in example
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["1"], "takes 4 arguments (x0 y0 x1 y1), but 1 was given."),
+        (["1", "2"], "takes 4 arguments (x0 y0 x1 y1), but 2 were given."),
+        (
+            ["0", "0", "7" * 5_000, "5"],
+            "x1: this has a number of more than 4,300 digits; give a shorter one.",
+        ),
+        (["0", "0", "7" * 4_000, "5"], "x1: it does not fit in 64 bits."),
+        (["0", "0", "x", "5"], "x1 = x: this is not a number or a list as Python writes it."),
+    ],
+)
+def test_arguments_are_refused_for_what_is_wrong_with_them(words: list[str], said: str) -> None:
+    with pytest.raises(BadInputError) as refused:
+        read_arguments(catalogue.get("bresenham_line"), words)
+    assert str(refused.value).endswith(said)

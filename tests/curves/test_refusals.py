@@ -78,6 +78,8 @@ def test_a_text_refuses_at_the_door(
             "Knots 2 and 4, where .* are equal; part them",
         ),
         (lambda: curves.basis_functions([0, 1], 3, 0), "0 points, and 4 are needed; add 4"),
+        (lambda: curves.natural_cubic(POINTS[:1]), "There is 1 point, and 2 are needed; add 1"),
+        (lambda: curves.b_spline_point(POINTS, KNOTS[:1], 2, 1), "There is 1 knot, and 4 .* need 7; add 6"),
         (lambda: curves.bezier_point(NAN, 0), "Point 1 is not finite; give it numbers"),
         (lambda: curves.bezier_point([1, 2], 0), "not rows of coordinates; give each its x and y"),
         (lambda: curves.bernstein(-1, 0), "degree is -1; it must be"),

@@ -76,7 +76,7 @@ def test_what_a_figure_cannot_refer_to_is_said() -> None:
     )
     notes = set(read_svg(svg(defined + drawn), SHEET).notes)
     said = {note for note in notes if note.startswith("Left out")}
-    counts = {"mask": "1", "clipPath": "2 ×", "marker": "1", "linearGradient": "1", "filter": "1"}
+    counts = {"mask": "1", "clipPath": "1", "marker": "1", "linearGradient": "1", "filter": "1"}
     assert said == {f"Left out: {count} <{tag}>." for tag, count in counts.items()}
     assert not [note for note in read_svg(svg(defined), SHEET).notes if note.startswith("Left out")]
 
@@ -105,6 +105,30 @@ def test_of_too_many_remarks_the_first_are_said() -> None:
     assert len(notes) == 21
     assert notes[0] == "Left out: 1 <t0>."
     assert notes[-1] == "And 30 more remarks like these."
+
+
+@pytest.mark.parametrize(
+    ("transform", "said"),
+    [
+        ("rotate(1) " * 1_001, "has more than 1,000 functions; write fewer."),
+        ("scale(1e300)", "in its matrix; give smaller ones."),
+        ("rotate(1,2)", "cannot be read; correct it."),
+        ("rotate(1) " * 1_000, ""),
+    ],
+)
+def test_a_transform_is_refused_for_what_is_wrong_with_it(transform: str, said: str) -> None:
+    note = " ".join(read_svg(svg(f'<line x2="3" transform="{transform}"/><line x2="3"/>'), SHEET).notes)
+    assert said in note
+    assert bool(note) == bool(said)
+
+
+def test_each_gradient_that_is_left_out_is_counted_once() -> None:
+    loop = (
+        '<linearGradient id="a" href="#b"/><linearGradient id="b" href="#a"/>'
+        '<defs><linearGradient id="c"/></defs><rect width="5" height="5" fill="url(#a)"/>'
+        '<rect width="5" height="5" fill="url(#c)" stroke="url(#c)"/>'
+    )
+    assert read_svg(svg(loop), SHEET).notes[0] == "Left out: 3 × <linearGradient>."
 
 
 def test_uses_that_nest_without_end_are_refused() -> None:

@@ -19,6 +19,7 @@ TREES = {
     name: ast.parse(text) for name, text in TEXTS.items() if any(word in text for word in (*BEGUN, ANSWERS))
 }
 MAY_BEGIN = {
+    "cli/waiting.py",
     "engine/recorder.py",
     "rendering/triangles.py",
     "session/answers.py",

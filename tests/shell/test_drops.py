@@ -94,6 +94,39 @@ def test_a_drawing_comes_into_curves(window: MainWindow, tmp_path: Path, place: 
     assert "wave.svg: 2 figures imported" in window.messages.text
     window.undo()
     assert window.session.sheet.figures == before
+    assert window.messages.text == ""
+
+
+def test_redo_shows_a_mesh_again_and_undo_takes_back_what_was_said_of_it(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path
+) -> None:
+    path = tmp_path / "part.obj"
+    path.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", encoding="utf-8")
+    control = Qt.KeyboardModifier.ControlModifier
+    assert drop(window, path)
+    assert window.session.sheet.scene is not None
+    mesh = window.session.sheet.id
+    assert drop(window, path)  # now beside the first
+    assert window.messages.text == "part.obj is in the scene."
+    qtbot.keyClick(window, Qt.Key.Key_Z, control)
+    assert window.messages.text == ""
+    assert window.session.sheet.id == mesh
+    qtbot.keyClick(window, Qt.Key.Key_Z, control)
+    assert window.session.sheet.scene is None
+    qtbot.keyClick(window, Qt.Key.Key_Y, control)
+    assert window.session.sheet.id == mesh
+
+
+def test_undo_of_something_else_leaves_what_was_said(window: MainWindow, tmp_path: Path) -> None:
+    session = window.session
+    (tmp_path / "points.csv").write_text("1,2\n30,20\n")
+    assert drop(window, tmp_path / "points.csv")
+    said = window.messages.text
+    session.apply(rename_sheet(session.sheet.id, "Mine"), "Rename")
+    window.undo()
+    assert window.messages.text == said != ""
+    window.undo()
+    assert window.messages.text == ""
 
 
 @pytest.mark.parametrize("name", ["points.csv", "points.TXT"])

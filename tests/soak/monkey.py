@@ -41,6 +41,7 @@ from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox
 from tests.soak.events import KINDS, PAGED, page, workspace
 from tests.soak.hand import Hand
 from tests.soak.holdings import edited, holdings
+from workbench.shell import files
 from workbench.shell.theme import choose_theme, choose_type
 from workbench.shell.workspaces import workspaces
 
@@ -220,9 +221,7 @@ def files_at_hand(folder: Path) -> None:
     )
     (folder / "broken.obj").write_text("v 0 0\nf 1 2 9\n")
     numbers = Random(0)
-    QFileDialog.getOpenFileName = staticmethod(  # type: ignore[method-assign,assignment]
-        lambda *_arguments, **_named: (str(numbers.choice([*sorted(folder.iterdir()), ""])), "")
-    )
+    files.ask_for_file = lambda *_arguments: numbers.choice([*sorted(folder.iterdir()), None])
     QFileDialog.getSaveFileName = staticmethod(  # type: ignore[method-assign,assignment]
         lambda *arguments, **_named: (numbers.choice([str(folder / Path(arguments[2]).name), ""]), "")
     )

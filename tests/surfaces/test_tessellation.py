@@ -2,6 +2,7 @@
 
 import math
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -12,11 +13,13 @@ from numpy.typing import NDArray
 
 from tests.surfaces.scipy_points import patch_points
 from workbench.algorithms.surfaces import (
+    EXAMPLES,
     Patches,
     bezier_patch,
     cylinder,
     sphere,
     tessellate,
+    tessellation,
     torus,
 )
 from workbench.exchange import writing
@@ -130,3 +133,21 @@ def test_what_cannot_be_written_is_said(tmp_path: Path) -> None:
         obj([[0, 0, 0]], [[0, 0, 1]])
     with pytest.raises(ValueError, match="three finite numbers"):
         obj([[0, 0, math.nan]], [])
+
+
+def test_a_hopeless_tolerance_is_refused_before_the_surface_is_cut_up(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    measured: list[int] = []
+    bounds = tessellation._bounds
+
+    def counted(cells: Any) -> Any:
+        measured.append(cells.shape[0] * cells.shape[1])
+        return bounds(cells)
+
+    monkeypatch.setattr(tessellation, "_bounds", counted)
+    for made in EXAMPLES.values():
+        measured.clear()
+        with pytest.raises(ValueError, match="more than 250,000 cells"):
+            tessellate(made(), 1e-12)
+        assert sum(measured) < 10_000

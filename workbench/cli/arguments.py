@@ -6,6 +6,8 @@ first: in the file one row a line, blanks between its digits or not, on the comm
 
 import ast
 import math
+import re
+import sys
 from collections.abc import Sequence
 from typing import Any
 
@@ -14,7 +16,7 @@ import numpy as np
 from workbench.algorithms.entry import Entry, Parameter
 from workbench.cli.failure import BadInputError
 from workbench.document.storage.content import read_text
-from workbench.language import _
+from workbench.language import _, ngettext
 
 MOST_BYTES = 20_000_000  # of a file: a picture as large as a sheet may be
 MOST_CHARACTERS = 500_000  # of a literal: Python takes a thousand times the memory of its text to read one
@@ -31,9 +33,11 @@ def read_arguments(entry: Entry, words: Sequence[str]) -> tuple[Any, ...]:
     if not least <= len(words) <= len(entry.parameters):
         names = " ".join(parameter.name for parameter in entry.parameters)
         raise BadInputError(
-            _("{slug} takes {count} arguments ({names}), but {given} were given.").format(
-                slug=entry.slug, count=len(entry.parameters), names=names, given=len(words)
-            )
+            ngettext(
+                "{slug} takes {count} arguments ({names}), but {given} was given.",
+                "{slug} takes {count} arguments ({names}), but {given} were given.",
+                len(words),
+            ).format(slug=entry.slug, count=len(entry.parameters), names=names, given=len(words))
         )
     return tuple(_read(parameter, word) for parameter, word in zip(entry.parameters, words, strict=False))
 
@@ -59,6 +63,10 @@ def _literal(text: str) -> Any:
     try:
         return ast.literal_eval(text.strip())
     except (ValueError, TypeError, SyntaxError, RecursionError, MemoryError):
+        most = sys.get_int_max_str_digits()
+        if most and re.search(rf"(?<!\d)[0-9_]{{{most + 1}}}", text):
+            sentence = _("this has a number of more than {most:,} digits; give a shorter one.")
+            raise ValueError(sentence.format(most=most)) from None
         raise ValueError(_("this is not a number or a list as Python writes it.")) from None
 
 

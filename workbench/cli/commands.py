@@ -268,32 +268,31 @@ def _writes_subscripts() -> bool:
 def _draw(options: argparse.Namespace) -> str:
     from workbench.cli import outputs
     from workbench.document.stand_ins import stand_ins
+    from workbench.exchange.pictures import refuse_cell
     from workbench.rendering import frame_buffer
 
     file_format = outputs.format_for("picture", path=options.output)
     sheet = _sheet(options)
+    try:
+        refuse_cell((sheet.height_px, sheet.width_px), options.cell)
+    except ValueError as error:
+        raise BadInputError(str(error)) from None
     outputs.write(file_format, (frame_buffer(sheet), options.cell), options.output)
     return "\n".join(stand_ins([sheet]))
 
 
 def _sheet(options: argparse.Namespace) -> "Sheet":
     """The sheet of a document that is asked for."""
+    from workbench.cli.sheets import sheet_of
     from workbench.document import DocumentError, load
 
     try:
-        sheets = load(options.document).sheets
+        document = load(options.document)
     except DocumentError as error:
         raise BadInputError(f"{options.document}: {error}") from None
     except OSError as error:
         raise BadInputError(f"{options.document}: {error.strerror}") from None
-    if not 1 <= options.sheet <= len(sheets):
-        raise BadInputError(
-            _("{file} has {count} sheets, so there is no sheet {number}.").format(
-                file=options.document, count=len(sheets), number=options.sheet
-            )
-        )
-    sheet: Sheet = sheets[options.sheet - 1]
-    return sheet
+    return sheet_of(document, options.document, options.sheet)
 
 
 def _animate(options: argparse.Namespace) -> str:

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from workbench.cli import outputs
 from workbench.cli.failure import BadInputError
+from workbench.cli.sheets import sheet_of
 from workbench.document import DocumentError, Stored
 from workbench.document.edits import set_palette
 from workbench.document.model import (
@@ -29,7 +30,7 @@ from workbench.document.storage.content import read_content, read_text
 from workbench.document.storage.files import MAX_BYTES, decode
 from workbench.document.view_edits import set_window
 from workbench.exchange.readable import SUFFIXES, kind_of
-from workbench.language import _
+from workbench.language import _, at_most, ngettext
 
 _LONGER_SIDE_PX = 200
 _MOST_NET_BYTES = 8 * 2**20
@@ -110,7 +111,8 @@ def _read(
         raise BadInputError(str(error)) from None
     try:
         if kind == "picture":
-            return _sheet(decode(content).document, source, number), []
+            document = decode(content).document
+            return replace(document, sheets=(sheet_of(document, source, number),)), []
         if kind == "drawing":
             return _from_svg(source, content, tolerance, wanted)
         if kind == "mesh":
@@ -118,13 +120,6 @@ def _read(
         return _from_points(source, text, tolerance, wanted)
     except ValueError as error:
         raise BadInputError(f"{source}: {error}") from None
-
-
-def _sheet(document: Document, source: Path, number: int) -> Document:
-    if not 1 <= number <= len(document.sheets):
-        sentence = _("{file} has {count} sheets, so there is no sheet {number}.")
-        raise BadInputError(sentence.format(file=source, count=len(document.sheets), number=number))
-    return replace(document, sheets=(document.sheets[number - 1],))
 
 
 def _from_svg(
@@ -155,8 +150,20 @@ def _from_points(
     closed = len(points) > 2 and np.array_equal(points[0], points[-1])
     sheet = _blank(window, wanted or _pixels((0.0, 0.0), window))
     document = _filled(source, sheet, [path_of(pieces.controls, closed, 1)])
-    sentence = _("{count} Bézier pieces pass {points} points within {error:.3g}.")
-    return document, [sentence.format(count=len(pieces.controls), points=len(points), error=error)]
+    count = len(pieces.controls)
+    if error > 0.0:
+        sentence = ngettext(
+            "{count} Bézier piece passes {points} points within {error}.",
+            "{count} Bézier pieces pass {points} points within {error}.",
+            count,
+        )
+    else:
+        sentence = ngettext(
+            "{count} Bézier piece passes exactly through {points} points.",
+            "{count} Bézier pieces pass exactly through {points} points.",
+            count,
+        )
+    return document, [sentence.format(count=count, points=len(points), error=at_most(error))]
 
 
 def _window_around(points: NDArray[np.float64]) -> Rectangle:
@@ -218,8 +225,8 @@ def _pixels(stated: tuple[float, float], window: Rectangle) -> tuple[int, int]:
 
 
 def _approximated(rows: Sequence[tuple[str, float]]) -> list[str]:
-    sentence = _("{name} is approximated within {error:.3g}.")
-    return [sentence.format(name=name, error=error) for name, error in rows]
+    sentence = _("{name} is approximated within {error}.")
+    return [sentence.format(name=name, error=at_most(error)) for name, error in rows]
 
 
 def _patches(path: Path) -> Any:

@@ -8,10 +8,13 @@ import numpy as np
 from msgspec.structs import replace
 from numpy.typing import NDArray
 
+from workbench.algorithms.visibility import depth_buffer
 from workbench.cli import outputs
 from workbench.cli.failure import BadInputError
+from workbench.cli.sheets import sheet_of
+from workbench.cli.waiting import telling
 from workbench.document import Camera, DocumentError, load
-from workbench.document.model import Rectangle, Sheet
+from workbench.document.model import Rectangle
 from workbench.document.scene.meshes import blob_of
 from workbench.document.scene.model import PROJECTIONS, Material, Object, Point3D, Scene
 from workbench.document.scene.solids import MeshSolid
@@ -19,7 +22,7 @@ from workbench.document.storage.content import read_content
 from workbench.exchange.mesh_reading import MOST_BYTES, read_mesh
 from workbench.exchange.readable import READABLE, kind_of
 from workbench.geometry.meshes import Array
-from workbench.language import _, ngettext
+from workbench.language import _
 from workbench.rendering.scene import (
     render_mesh,
     render_scene,
@@ -61,7 +64,10 @@ def render_model(options: argparse.Namespace) -> str:
             window = seen.window or window_around(segments.reshape(-1, 2), size)
             outputs.write(row, (segments, window, size), options.output)
         if row.kind == "picture" or depth_row:
-            image, depth = seen.picture(size)
+            meanwhile = _("Still drawing by {method}, which may take minutes; depth_buffer is the quickest.")
+            if options.visibility == depth_buffer.__name__:
+                meanwhile = _("Still drawing; a smaller size is quicker.")
+            image, depth = telling(lambda: seen.picture(size), meanwhile.format(method=options.visibility))
             if row.kind == "picture":
                 outputs.write(row, (image, 1), options.output)
             if depth_row:
@@ -92,15 +98,7 @@ def point(text: str) -> Point3D:
 
 
 def _scene(options: argparse.Namespace) -> _Seen:
-    sheets = load(options.model).sheets
-    if not 1 <= options.sheet <= len(sheets):
-        sentence = ngettext(
-            "{file} has one sheet, so there is no sheet {number}.",
-            "{file} has {count} sheets, so there is no sheet {number}.",
-            len(sheets),
-        )
-        raise BadInputError(sentence.format(file=options.model, count=len(sheets), number=options.sheet))
-    sheet: Sheet = sheets[options.sheet - 1]
+    sheet = sheet_of(load(options.model), options.model, options.sheet)
     if sheet.scene is None:
         sentence = _("{file}: sheet {number} has no scene; choose one that has, or use draw.")
         raise BadInputError(sentence.format(file=options.model, number=options.sheet))

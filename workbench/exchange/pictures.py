@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.geometry.conventions import top_row_first
+from workbench.language import _
 
 _LARGEST_SIDE = 32_767
 
@@ -17,13 +18,7 @@ def png(image: NDArray[np.uint32], cell: int = 1) -> bytes:
         ValueError: the cell is not at least 1, or a side of the result would exceed 32767 pixels.
     """
     height, width = image.shape
-    if cell < 1:
-        raise ValueError(f"The cell is {cell} pixels wide; it must be at least 1.")
-    if max(height, width) * cell > _LARGEST_SIDE:
-        raise ValueError(
-            f"A picture of {width * cell} × {height * cell} pixels is too large; "
-            f"with at most {_LARGEST_SIDE // max(height, width)} for a cell it fits."
-        )
+    refuse_cell((height, width), cell)
     packed = top_row_first(image)
     channels = np.stack([packed >> 16 & 255, packed >> 8 & 255, packed & 255], axis=-1).astype(np.uint8)
     from PIL import Image
@@ -34,3 +29,16 @@ def png(image: NDArray[np.uint32], cell: int = 1) -> bytes:
     file = io.BytesIO()
     picture.save(file, "PNG")
     return file.getvalue()
+
+
+def refuse_cell(shape: tuple[int, ...], cell: int) -> None:
+    """Raises: ValueError, as ``png`` does for an image (h, w) of this shape."""
+    height, width = shape
+    if cell < 1:
+        raise ValueError(_("The cell is {cell} pixels wide; it must be at least 1.").format(cell=cell))
+    if max(height, width) * cell > _LARGEST_SIDE:
+        sentence = _(
+            "A picture of {width} × {height} pixels is too large; with at most {most} for a cell it fits."
+        )
+        most = _LARGEST_SIDE // max(height, width)
+        raise ValueError(sentence.format(width=width * cell, height=height * cell, most=most))

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from workbench.exchange.path_data import LARGEST, MOST_POINTS, Run, TooManyPointsError, runs
 from workbench.exchange.svg_arcs import arc_pieces
-from workbench.exchange.svg_transforms import Function, functions_in, matrix_in
+from workbench.exchange.svg_transforms import MOST_FUNCTIONS, Function, functions_in, matrix_in
 from workbench.exchange.svg_tree import Element, SvgError
 from workbench.geometry.curves.cubic_pieces import raised_to_cubic
 from workbench.language import _
@@ -117,9 +117,14 @@ def functions_of(element: Element) -> tuple[Function, ...]:
         functions = (Function("translate", (x, y)), *functions, Function("translate", (-x, -y)))
     sound = functions is not None and origin is not None
     matrix = matrix_in(functions) if functions and sound else np.eye(2, 3)
-    if not (sound and np.isfinite(matrix).all() and np.abs(matrix).max() <= LARGEST):
-        raise element.unread(_("transform {text!r} cannot be read; correct it.").format(text=text[:40]))
-    return functions or ()
+    if sound and np.isfinite(matrix).all() and np.abs(matrix).max() <= LARGEST:
+        return functions or ()
+    sentence = _("transform {text!r} cannot be read; correct it.")
+    if sound:
+        sentence = _("transform {text!r} has numbers above {largest:g} in its matrix; give smaller ones.")
+    elif text.count("(") > MOST_FUNCTIONS:
+        sentence = _("transform {text!r} has more than {most:,} functions; write fewer.")
+    raise element.unread(sentence.format(text=text[:40], largest=LARGEST, most=MOST_FUNCTIONS))
 
 
 def _origin_of(element: Element) -> tuple[float, float] | None:

@@ -31,7 +31,7 @@ Array = NDArray[np.float64]
 _FUNCTION = re.compile(r"\s*([A-Za-z]+)\s*\(([^()]*)\)[\s,]*")
 _PART = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)(px|deg|grad|rad|turn|%)?[\s,]*")
 _LONGEST_NUMBER = 100
-_MOST_FUNCTIONS = 1_000
+MOST_FUNCTIONS = 1_000
 _COUNTS = {
     "matrix": (6,),
     "translate": (1, 2),
@@ -104,7 +104,7 @@ def functions_in(text: str, whole: tuple[float, float] = (0.0, 0.0)) -> tuple[Fu
         return ()
     while at < len(text):
         match = _FUNCTION.match(text, at)
-        if match is None or len(functions) == _MOST_FUNCTIONS:
+        if match is None or len(functions) == MOST_FUNCTIONS:
             return None
         name, inside = match[1].lower(), match[2]
         if name in _ALONG:

@@ -53,12 +53,12 @@ class Drawing(NamedTuple):
 
 
 class _Saying(NamedTuple):
-    """What an element says of itself and of what is in it; ``references`` are the tags it refers to."""
+    """What an element says of itself and of what is in it; ``references`` are those it refers to."""
 
     functions: tuple[Function, ...]
     inherited: dict[str, str]
     opacity: float
-    references: list[str]
+    references: list[Element]
     geometry: Geometry | None
 
 
@@ -78,6 +78,8 @@ class _Walk:
         self.unread: dict[str, None] = {}
         self._progress = progress
         self._left_out: Counter[str] = Counter()
+        self._passed: set[Element] = set()
+        self._referred: set[Element] = set()
         self._named: dict[str, Element] = {}
         self._sayings: dict[Element, _Saying | None] = {}
         self._using: list[Element] = []
@@ -100,14 +102,16 @@ class _Walk:
             sentence = _("there are more than {most:,} elements; choose a smaller picture.")
             raise element.refusal(sentence.format(most=MOST_ELEMENTS))
         if element.tag not in _DRAWN:
-            self._left_out[element.tag] += element.tag not in _SILENT
+            if element.tag not in _SILENT:
+                self._left_out[element.tag] += 1
+                self._passed.add(element)
             return
         if element not in self._sayings:
             self._sayings[element] = self._readable(element)
         saying = self._sayings[element]
         if saying is None:
             return
-        self._left_out.update(saying.references)
+        self._referred.update(saying.references)
         if saying.inherited or saying.opacity < 1.0:
             opacity = float(style.get("opacity", 1.0)) * saying.opacity
             style = {**style, **saying.inherited, "opacity": repr(opacity)}
@@ -154,7 +158,7 @@ class _Walk:
             functions_of(element),
             inherited,
             1.0 if opacity is None else opacity,
-            [target.tag for target in targets if target is not None],
+            [target for target in targets if target is not None],
             Geometry.of(element) if element.tag in GEOMETRY else None,
         )
 
@@ -193,12 +197,12 @@ class _Walk:
 
     def notes(self) -> list[str]:
         """A sentence for each kind of element that no figure can be made of."""
+        left_out = self._left_out + Counter(each.tag for each in self._referred - self._passed)
         return [
             ngettext("Left out: {count} <{tag}>.", "Left out: {count} × <{tag}>.", count).format(
                 count=count, tag=tag[:40]
             )
-            for tag, count in self._left_out.items()
-            if count
+            for tag, count in left_out.items()
         ]
 
 

@@ -109,6 +109,11 @@ class Run(Cursor):
         recorded = 0 if self.steps is None else len(self.steps)
         return min(recorded, self.seen) if self.ask_first else recorded
 
+    @property
+    def kept_back(self) -> bool:
+        """Whether steps are recorded, and none may be told before the first answer."""
+        return self.ask_first and bool(self.steps) and not self.tellable
+
     def questioned(self, number: int) -> bool:
         """Whether step ``number`` has a pixel or a choice that can be asked for."""
         if self.steps is None or not 1 <= number <= len(self.steps):

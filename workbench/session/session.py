@@ -32,6 +32,7 @@ from workbench.session.recovery_watch import RecoveryWatch
 from workbench.session.remembered import runnable
 from workbench.session.run import Run
 from workbench.session.saver import Saved, Saver
+from workbench.session.shown_sheets import ShownSheets
 from workbench.session.stamps import Stamp, stamp
 from workbench.session.undo import Step, UndoStack
 from workbench.session.unfolding import Unfolding
@@ -78,6 +79,7 @@ class Session(QObject):
         self.run, self.followers = Run(self), (Run(self),)
         self._following = Following(self, self.run, self.followers)
         self.unfolding, self.frames = Unfolding(self), Frames(self)
+        self._shown_sheets = ShownSheets(self)
         self._due.connect(self.flush, Qt.ConnectionType.QueuedConnection)
         self._entering = QTimer(self, singleShot=True)
         self._entering.timeout.connect(self._due)
@@ -169,11 +171,9 @@ class Session(QObject):
             checked(changes["subject"])
         state = check_state(with_changes(self.state, **changes), self.document)
         if state != self.state:
-            figure, workspace = self.active_figure, self.state.workspace
-            self.state = state
+            figure, workspace, self.state = self.active_figure, self.state.workspace, state
             other = self._another_figure(figure, changes.get("step"))
-            stays = "step" not in changes and not other and state.workspace == workspace
-            self._following.switch(stays)
+            self._following.switch("step" not in changes and not other and state.workspace == workspace)
             self._tell_later()
 
     def visit(self, workspace: str, usual: Subject) -> None:

@@ -27,12 +27,15 @@ class Step:
 class UndoStack(QObject):
     """Steps that can be undone, and those undone that can be done again.
 
-    ``show(document)`` is called with what is to be open now. The steps that can be undone keep at most
-    ``limit_bytes`` beyond the document itself; the last one always stays.
+    ``show(document)`` is called with what is to be open now; ``undone(Step)`` and ``redone(Step)`` tell where
+    that was one step further back or on. The steps that can be undone keep at most ``limit_bytes`` beyond
+    the document itself; the last one always stays.
     """
 
     indexChanged = Signal(int)  # noqa: N815 - the names of QUndoStack
     cleanChanged = Signal(bool)  # noqa: N815
+    undone = Signal(object)
+    redone = Signal(object)
 
     def __init__(
         self, show: Callable[[Document], None], parent: QObject | None = None, limit_bytes: int = LIMIT_BYTES
@@ -65,9 +68,14 @@ class UndoStack(QObject):
         """Whether there is an undone step to do again."""
         return self._index < len(self._steps)
 
+    @property
+    def last(self) -> Step | None:
+        """The step that ``undo`` takes back, if there is one."""
+        return self._steps[self._index - 1] if self.canUndo() else None
+
     def undoText(self) -> str:
         """The name of the step that ``undo`` takes back, or nothing."""
-        return self._steps[self._index - 1].name if self.canUndo() else ""
+        return "" if self.last is None else self.last.name
 
     def redoText(self) -> str:
         """The name of the step that ``redo`` does again, or nothing."""
@@ -115,13 +123,17 @@ class UndoStack(QObject):
 
     def undo(self) -> None:
         """Take the last step back, if there is one."""
-        if self.canUndo():
-            self._go(self._index - 1, self._steps[self._index - 1].old)
+        step = self.last
+        if step is not None:
+            self._go(self._index - 1, step.old)
+            self.undone.emit(step)
 
     def redo(self) -> None:
         """Do the step again that was taken back last, if there is one."""
         if self.canRedo():
-            self._go(self._index + 1, self._steps[self._index].new)
+            step = self._steps[self._index]
+            self._go(self._index + 1, step.new)
+            self.redone.emit(step)
 
     def clear(self) -> None:
         """Forget every step; the document is clean."""

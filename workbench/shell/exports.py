@@ -78,7 +78,8 @@ class Exports(QObject):
         if exporter is None or self.writing.is_busy():
             return
         if not exporter.steps:
-            self._window.say_status(_("No run is recorded; draw or select a figure whose steps are shown."))
+            nothing = _("No run is recorded; draw or select a figure whose steps are shown.")
+            self._window.say_status(_kept_back() if exporter.kept_back else nothing)
             return
         parts, whole = exporter.this_run().parts, exporter.steps + 1
 
@@ -133,7 +134,8 @@ class Exports(QObject):
     def hand_table(self) -> None:
         """The hand table of the run."""
         if not self._hand_rows():
-            self._window.say_status(_("There is no hand table yet; draw or select a figure that is stepped."))
+            nothing = _("There is no hand table yet; draw or select a figure that is stepped.")
+            self._window.say_status(_kept_back() if self._window.session.run.kept_back else nothing)
             return
         from workbench.engine.observation import Steps
         from workbench.exchange.run_tables import hand
@@ -184,6 +186,10 @@ class Exports(QObject):
             _("A step is exported with its canvas: go to Draw, Fill, Clip, Transform, View or Curves.")
         )
         return None
+
+
+def _kept_back() -> str:
+    return _("The steps are kept back while Ask first is on; answer the first one, or switch Ask first off.")
 
 
 def _pixels(sheet: Any, figure: Any) -> Any:

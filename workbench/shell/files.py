@@ -7,20 +7,21 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Qt
 from PySide6.QtGui import QDropEvent
-from PySide6.QtWidgets import QFileDialog
 
-from workbench.exchange.readable import READABLE, SUFFIXES, kind_of
+from workbench.exchange.readable import SUFFIXES, kind_of
 from workbench.language import _, legible
 from workbench.paths import home_folder
 from workbench.shell.exports import Exports
 from workbench.shell.opening import enter_where_seen
+from workbench.shell.recovering import Recovering
+from workbench.shell.step_messages import StepMessages
 from workbench.shell.workspaces import panel_of
+from workbench.widgets.fields.file_dialog import ask_for_file
 
 if TYPE_CHECKING:
     from workbench.document.building import Edit
     from workbench.document.model import Document, Sheet
     from workbench.document.storage.files import Stored
-    from workbench.session.recovery import Recoverable
     from workbench.session.saver import Saved
     from workbench.session.session import Session
     from workbench.session.stamps import Stamp
@@ -39,6 +40,7 @@ class Files(QObject):
         super().__init__(window)
         self._window = window
         self.exports = Exports(window)
+        self._recovering = Recovering(window, self)
         self._failure = self._unsaved = ""  # what the bar may still be saying of them
 
     @property
@@ -76,6 +78,7 @@ class Files(QObject):
         incoming.ended.connect(messages.end_work)
         session.left_out.connect(self.warn)
         session.opened.connect(messages.leave)
+        self._of_steps = StepMessages(messages, session.undo_stack)
 
     def warn(self, sentence: str) -> None:
         """Say that unsaved work could not be kept safe, or what a file was opened without."""
@@ -99,9 +102,9 @@ class Files(QObject):
 
     def _ask_for_one(self, title: str, then: Callable[[Path], None]) -> None:
         folder = self._session.path.parent if self._session.path else home_folder()
-        chosen, __ = QFileDialog.getOpenFileName(self._window, title, str(folder), ";;".join(_kinds()))
-        if chosen:
-            then(Path(chosen))
+        chosen = ask_for_file(self._window, title, folder)
+        if chosen is not None:
+            then(chosen)
 
     def take(self, path: Path) -> None:
         """Open a picture, or bring what else it is into Curves or Space."""
@@ -126,13 +129,13 @@ class Files(QObject):
         from workbench.panels.curves.panel import CurvesPanel
 
         exchange = panel_of(self._window.panels("curves"), CurvesPanel).exchange
-        exchange.take_file(path, self._window.messages.say, self._refuse)
+        exchange.take_file(path, self._of_steps.say, self._refuse)
 
     def _into_space(self, path: Path) -> None:
         from workbench.panels.space.panel import SpacePanel
 
         meshes = panel_of(self._window.panels("space"), SpacePanel).meshes
-        meshes.take_file(path, self._window.messages.say, self._refuse)
+        meshes.take_file(path, self._of_steps.say, self._refuse)
 
     def _add_sheets(self, path: Path, edit: "Edit") -> None:
         """Do that as one step of undo, and show the first of them."""
@@ -147,7 +150,7 @@ class Files(QObject):
             return
         added = [sheet for sheet in session.document.sheets if sheet.id not in known]
         self.show_sheet(added[0].id)
-        self._warn_of(added)
+        self.warn_of(added, self._of_steps.say)
 
     def _not_imported(self, path: Path, error: str) -> None:
         self._refuse(_("{name} was not imported: {error}").format(name=legible(path.name), error=error))
@@ -165,7 +168,7 @@ class Files(QObject):
         beside = self._session.dirty
         self._session.open_example(slug)
         if beside:
-            self._window.messages.say(
+            self._of_steps.say(
                 _("{name} stays open beside this example: View > Sheets shows it again.").format(
                     name=legible(before.name)
                 )
@@ -250,40 +253,7 @@ class Files(QObject):
 
     def offer_recovery(self) -> None:
         """Offer the newest of what crashed runs left behind; unanswered it is offered again next time."""
-        from workbench.session.recovery import recoverable
-
-        for lost in recoverable():
-            self._window.messages.ask(
-                _("The program ended before {name} was saved; its last state was kept.").format(
-                    name=lost.name
-                ),
-                [
-                    (_("Recover"), partial(self.unless_unsaved, partial(self._recover, lost))),
-                    (_("Discard"), lost.discard),
-                ],
-            )
-            return
-
-    def _recover(self, lost: "Recoverable") -> None:
-        from workbench.exchange.reading import Job
-
-        def refuse(error: str) -> None:
-            self._window.messages.say(_("Nothing could be recovered: {error}").format(error=error), "error")
-
-        job, take = Job("picture", str(lost.path)), partial(self._recovered, lost)
-        self._session.incoming.read(job, lost.name, take, refuse, lost.completed)
-
-    def _recovered(self, lost: "Recoverable", stored: "Stored") -> None:
-        self._session.take_recovered(lost, stored)
-        enter_where_seen(self._window, stored.session.workspace)
-        self._warn_of(stored.document.sheets)
-        if self._session.changed_on_disk:
-            self._window.messages.say(
-                _(
-                    "{name} was changed after this work was kept; you will be asked before it is replaced."
-                ).format(name=lost.name),
-                "warn",
-            )
+        self._recovering.offer()
 
     def _new(self) -> None:
         window = self._window
@@ -314,16 +284,16 @@ class Files(QObject):
         self._session.take(stored, path, on_disk)
         self._remember(path)
         enter_where_seen(self._window, stored.session.workspace)
-        self._warn_of(stored.document.sheets)
+        self.warn_of(stored.document.sheets, self._window.messages.say)
 
-    def _warn_of(self, sheets: "Sequence[Sheet]") -> None:
+    def warn_of(self, sheets: "Sequence[Sheet]", say: Callable[[str, str], object]) -> None:
         """What serves for algorithms that a file asks for and this version lacks; pictures that are large."""
         from workbench.display.setup import too_many_pixels
         from workbench.document.stand_ins import stand_ins
 
         large = [too_many_pixels((sheet.width_px, sheet.height_px)) for sheet in sheets]
         if sentences := [*stand_ins(sheets), *dict.fromkeys(filter(None, large))]:
-            self._window.messages.say(" ".join(sentences), "warn")
+            say(" ".join(sentences), "warn")
 
     def _save(self, path: Path, then: Callable[[], object] | None) -> None:
         session = self._session
@@ -380,16 +350,6 @@ class Files(QObject):
         urls = event.mimeData().urls()
         path = Path(urls[0].toLocalFile()) if len(urls) == 1 and urls[0].isLocalFile() else None
         return path if path is not None and path.suffix.lower() in SUFFIXES else None
-
-
-def _kinds() -> list[str]:
-    """What can be opened or brought in, for the list of a dialog."""
-    each = [(readable.title, readable.suffixes) for readable in READABLE]
-    everything = (
-        _("Everything that can be opened"),
-        tuple(suffix for _title, suffixes in each for suffix in suffixes),
-    )
-    return [f"{title} ({' '.join('*' + suffix for suffix in kinds)})" for title, kinds in (everything, *each)]
 
 
 def _with_sheets(document: "Document", stored: "Stored") -> "Edit":

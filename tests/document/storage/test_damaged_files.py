@@ -37,6 +37,20 @@ def test_what_is_no_picture_is_refused(data: bytes) -> None:
         decode(data)
 
 
+def test_half_a_character_at_the_end_is_not_said_to_break_off() -> None:
+    begin = b'{"format":"graphics-workbench","version":8,"document":"'
+    for end, said in ((b'\\ud800"}', "is not JSON at line 1"), (b"\\ud800", "breaks off at line 1")):
+        with pytest.raises(DocumentError, match=said):
+            decode(begin + end)
+
+
+def test_another_kind_of_file_is_not_told_to_end_otherwise() -> None:
+    with pytest.raises(DocumentError, match="not a picture of Graphics Workbench; choose another file"):
+        decode(b"[" * 10_000)
+    with pytest.raises(DocumentError, match=r"not a Graphics Workbench file \(format\); choose one that it"):
+        decode(b'{"a": 1}')
+
+
 def test_text_that_is_not_utf_8_is_refused_where_it_is_not() -> None:
     data = encode(Stored(example_document())).replace(b"A line", b"A l\xffne")
     with pytest.raises(DocumentError) as refusal:

@@ -50,6 +50,14 @@ def test_a_link_stays_a_link(tmp_path: Path) -> None:
     assert sorted(file.name for file in tmp_path.rglob("*")) == ["far", "link.gwb", "real.gwb"]
 
 
+def test_a_link_to_nowhere_is_said_to_be_one(tmp_path: Path) -> None:
+    link = tmp_path / "dang.gwb"
+    link.symlink_to("gone/work.gwb")
+    with pytest.raises(SavingError, match=r"is a link to gone/work\.gwb, a place that is not there;"):
+        replace_file(link, b"new")
+    assert link.is_symlink()
+
+
 def test_what_reads_back_wrong_never_replaces(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     path = tmp_path / "a.gwb"
     path.write_bytes(b"old")

@@ -1,6 +1,7 @@
 """All methods for hidden surfaces on scenes of documents: where they agree and err, what they count."""
 
 from functools import cache
+from typing import Any
 
 import numpy as np
 import pytest
@@ -11,6 +12,7 @@ from workbench.document.samples.examples import example
 from workbench.document.scene.model import Scene
 from workbench.document.subjects import Subject
 from workbench.rendering.scene import METHODS as RENDERED
+from workbench.rendering.scene import methods
 from workbench.rendering.scene.arena import MethodRun, run_methods, timed
 from workbench.rendering.scene.methods import A_BUFFER, METHODS, depths_of, method_call, surfaces_seen
 from workbench.rendering.scene.render import device_triangles, placed
@@ -77,6 +79,30 @@ def test_depths_are_those_of_the_depth_buffer() -> None:
         pass
     seen = surfaces_seen(depth_buffer.__name__, device.corners, device.triangles, SIZE)
     assert np.array_equal(depths_of(seen, device.corners, device.triangles), call.arguments[1])
+
+
+def test_depths_of_many_triangles_look_at_each_pixel_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked: list[int] = []
+
+    def counted(_surface: object, x: np.ndarray, _y: np.ndarray) -> np.ndarray:
+        asked.append(x.size)
+        return np.zeros(x.size)
+
+    monkeypatch.setattr(methods, "depth_at", counted)
+    monkeypatch.setattr(methods, "surface_of", lambda _corners, _triangles, number: number)
+    seen = np.arange(24 * 18).reshape(18, 24) - 1
+    compared: list[int] = []
+
+    class Seen(np.ndarray):
+        def __eq__(self, other: object) -> Any:
+            compared.append(self.size)
+            return super().__eq__(other)
+
+    depth = depths_of(seen.view(Seen), np.zeros((0, 3)), np.zeros((0, 3), int))
+    assert depth[0, 0] == 1.0
+    assert not depth.flat[1:].any()
+    assert sum(asked) == seen.size - 1
+    assert sum(compared) <= 2 * seen.size
 
 
 def test_time_is_that_of_a_thread() -> None:

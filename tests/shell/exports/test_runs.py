@@ -55,6 +55,23 @@ def test_a_run_as_pdf_has_a_page_for_each_step(qtbot: QtBot, window: MainWindow,
     assert b"/Subtype /Image" not in data
 
 
+@pytest.mark.parametrize("command", ["export_run", "export_hand"])
+def test_steps_that_are_asked_for_first_are_said_to_be_kept_back(
+    qtbot: QtBot, window: MainWindow, command: str
+) -> None:
+    run, card = window.session.run, window.files.exports.writing.card
+    run.go(0)
+    run.set_ask_first(True)
+    trigger(window, command)
+    assert window.status.hover.text() == (
+        "The steps are kept back while Ask first is on; answer the first one, or switch Ask first off."
+    )
+    assert not card.isVisible()
+    run.set_ask_first(False)
+    trigger(window, "export_run")
+    assert card.isVisible()
+
+
 def test_frames_say_exactly_what_they_replace(qtbot: QtBot, window: MainWindow, tmp_path: Path) -> None:
     (tmp_path / "walk-003.png").write_bytes(b"mine")
     (tmp_path / "walk-010.png").write_bytes(b"mine too")

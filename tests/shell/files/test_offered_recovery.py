@@ -1,5 +1,6 @@
 """What a crash has left is offered, and never replaces anything unasked."""
 
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -7,6 +8,7 @@ from pytestqt.qtbot import QtBot
 
 from tests.shell.files.filing import CONTROL, answer, crash, draw_a_line, saved
 from workbench.document.storage.files import load
+from workbench.session.recovery import recoverable
 from workbench.shell.window import MainWindow
 
 pytestmark = [
@@ -91,3 +93,45 @@ def test_recovered_work_is_saved_without_a_question_where_nothing_was_changed(
 def test_nothing_is_offered_after_a_clean_end(window: MainWindow) -> None:
     window.files.offer_recovery()
     assert window.messages.text == ""
+
+
+GONE = "Another window has already recovered or discarded nearly lost."
+
+
+def test_what_another_window_takes_is_offered_no_longer(
+    qtbot: QtBot, window: MainWindow, open_window: Callable[[], MainWindow]
+) -> None:
+    crash()
+    other = open_window()
+    for each in (window, other):
+        each.files.offer_recovery()
+    answer(window, "Discard")
+    qtbot.waitUntil(lambda: other.messages.text == GONE)
+    assert other.messages.buttons() == []
+    assert window.messages.text == ""
+
+
+def test_what_another_window_has_just_taken_is_said_to_be_gone(qtbot: QtBot, window: MainWindow) -> None:
+    crash()
+    window.files.offer_recovery()
+    draw_a_line(qtbot, window)
+    drawn = window.session.document
+    (lost,) = recoverable()
+    lost.discard()
+    answer(window, "Recover")  # before anything of it was heard
+    assert window.messages.text == GONE  # and nobody is asked to give up the line
+    assert window.session.document == drawn
+
+
+def test_what_is_taken_during_the_question_about_unsaved_changes_is_said_to_be_gone(
+    qtbot: QtBot, window: MainWindow
+) -> None:
+    crash()
+    window.files.offer_recovery()
+    draw_a_line(qtbot, window)
+    answer(window, "Recover")
+    (lost,) = recoverable()
+    lost.discard()
+    answer(window, "Discard changes")
+    qtbot.waitUntil(lambda: window.messages.text == GONE)
+    assert window.session.dirty

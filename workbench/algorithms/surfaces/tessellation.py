@@ -21,6 +21,7 @@ Array = NDArray[np.float64]
 Faces = NDArray[np.int64]
 
 MOST_CELLS = 250_000
+_TELLING = 1_024  # cells, from which on halving one leaves no less than about a quarter of its error
 NEAREST = 1e-12  # of the size of the surface: nearer than this rounding errors are all that is left
 
 
@@ -37,20 +38,27 @@ def tessellate(patches: Patches, tolerance: float) -> tuple[Array, Faces]:
     least = max(tolerance, NEAREST * size)
     bad = np.ones(cells.shape[:2], bool)
     while True:
-        bad[bad] = _bounds(cells[bad][None])[0] > least  # what is near enough stays so when it is cut
+        errors = _bounds(cells[bad][None])[0]
+        bad[bad] = errors > least  # what is near enough stays so when it is cut
         if not bad.any():
             return _triangles(_corners(cells), 1e-9 * size)
+        if bad.size >= _TELLING and np.sqrt(errors / least).sum() > 2 * MOST_CELLS:
+            raise _too_fine(tolerance)
         in_u = np.zeros_like(bad)
         by_u, by_v = _bends(cells[bad][None])
         in_u[bad] = (by_u >= by_v)[0]
         rows, columns = np.any(bad & in_u, axis=1), np.any(bad & ~in_u, axis=0)
         count = (len(rows) + int(rows.sum())) * (len(columns) + int(columns.sum()))
         if count > MOST_CELLS:
-            sentence = f"Within {tolerance:g} the surface would take more than {MOST_CELLS:,} cells"
-            raise ValueError(f"{sentence}; choose a larger tolerance.")
+            raise _too_fine(tolerance)
         bad = np.repeat(np.repeat(bad, 1 + rows, axis=0), 1 + columns, axis=1)
         cells = _cut(cells, rows)
         cells = _cut(cells.transpose(1, 0, 3, 2, 4), columns).transpose(1, 0, 3, 2, 4)
+
+
+def _too_fine(tolerance: float) -> ValueError:
+    sentence = f"Within {tolerance:g} the surface would take more than {MOST_CELLS:,} cells"
+    return ValueError(f"{sentence}; choose a larger tolerance.")
 
 
 def _bounds(cells: Array) -> Array:

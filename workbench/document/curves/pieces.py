@@ -12,7 +12,7 @@ from workbench.algorithms.curves import Pieces
 from workbench.document.model import NEIGHBOUR_SPLINES, Curve
 from workbench.geometry.curves.kochanek_bartels import Signed
 from workbench.geometry.curves.sections import Ends
-from workbench.language import _
+from workbench.language import _, ngettext
 
 Array = NDArray[np.float64]
 
@@ -182,7 +182,12 @@ def _path(points: Array, closed: bool) -> Pieces:
     count = len(points) // 3 if closed else (len(points) - 1) // 3
     if count < 1:
         missing = (3 if closed else 4) - len(points)
-        raise ValueError(f"There are {len(points)} points, and a piece needs {missing} more; add {missing}.")
+        sentence = ngettext(
+            "There is {count} point, and a piece needs {missing} more; add {missing}.",
+            "There are {count} points, and a piece needs {missing} more; add {missing}.",
+            len(points),
+        )
+        raise ValueError(sentence.format(count=len(points), missing=missing))
     at = 3 * np.arange(count)[:, None] + np.arange(4)
     return Pieces(np.arange(count + 1.0), points[at % (3 * count) if closed else at])
 

@@ -184,7 +184,9 @@ def _typed(data: bytes) -> _File:
         if "`$" in str(error):
             raise
         field = _translated(str(error)).field
-        sentence = _("This is not a Graphics Workbench file ({field}); choose one that ends in .gwb.")
+        if field == "document":
+            raise DocumentError("", _not_ours()) from error
+        sentence = _("This is not a Graphics Workbench file ({field}); choose one that it saved.")
         raise DocumentError(field, sentence.format(field=field)) from error
     if head.format != FORMAT:
         problem = _("is {value!r}; choose a file that Graphics Workbench saved")
@@ -245,9 +247,21 @@ def sound_blobs(blobs: Mapping[str, bytes]) -> dict[str, bytes]:
     return sound
 
 
+# Half a character, in whose place msgspec says of the last bytes of a file that they end too soon.
+_ESCAPE = 6
+_HALF = re.compile(rb"\\u[dD][89abAB][0-9a-fA-F]{2}(?=[^\\])")
+
+
+def _not_ours() -> str:
+    return _("This is not a picture of Graphics Workbench; choose another file.")
+
+
 def _malformed(data: bytes, message: str) -> DocumentError:
     offset = re.search(r"\(byte (\d+)\)", message)
     if offset is None:
+        half = _HALF.search(data, len(data) - 2 * _ESCAPE)
+        if half is not None:
+            return _broken(data, half.start(), _("is not JSON"))
         return _broken(data, len(data), _("breaks off"))
     at = int(offset.group(1))
     around = data[max(0, at - 1) : at + _LONGEST_CONSTANT]
@@ -263,7 +277,7 @@ def _malformed(data: bytes, message: str) -> DocumentError:
 def _broken(data: bytes, offset: int, problem: str) -> DocumentError:
     field = path_at(data, offset).removeprefix("document.")
     if not data.lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"{"):
-        return DocumentError("", _("This is not a picture of Graphics Workbench; choose another file."))
+        return DocumentError("", _not_ours())
     if not field:
         sentence = _("The file {problem} at line {line}; open another copy of it.")
         return DocumentError("", sentence.format(problem=problem, line=line_of(data, offset)))

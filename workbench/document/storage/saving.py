@@ -140,6 +140,8 @@ def refusal(path: Path, error: OSError | ValueError) -> SavingError:
     """The sentence that says why ``path`` cannot be written."""
     number = error.errno if isinstance(error, OSError) else None
     match number:
+        case errno.ENOENT | errno.ENOTDIR if os.path.islink(path):
+            sentence = _("{path} is a link to {target}, a place that is not there; choose another name.")
         case errno.ENOENT | errno.ENOTDIR if not os.path.isdir(path.parent):
             sentence = _("There is no folder {folder} for {name}; choose another folder.")
         case errno.EACCES | errno.EPERM:
@@ -160,7 +162,10 @@ def refusal(path: Path, error: OSError | ValueError) -> SavingError:
     name, folder = legible(path.name), legible(str(path.parent), _LONGEST_FOLDER)
     whole = legible(str(path), _LONGEST_FOLDER) if len(str(path)) <= _LONGEST_FOLDER else name
     longest = legible(max(path.parts, key=len, default=""))
-    return SavingError(sentence.format(path=whole, name=name, folder=folder, reason=reason, longest=longest))
+    target = legible(os.readlink(path), _LONGEST_FOLDER) if os.path.islink(path) else ""
+    return SavingError(
+        sentence.format(path=whole, name=name, folder=folder, reason=reason, longest=longest, target=target)
+    )
 
 
 def _prefix(target: Path) -> str:

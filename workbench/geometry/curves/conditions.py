@@ -37,7 +37,8 @@ def faults(
         faulty.append(Fault("points", int(i), f"Point {i} is not finite; give it numbers."))
     least = max(least, (degree or 0) + 1)
     if len(shape) < least:
-        sentence = f"There are {len(shape)} points, and {least} are needed; add {least - len(shape)}."
+        there = "There is 1 point" if len(shape) == 1 else f"There are {len(shape)} points"
+        sentence = f"{there}, and {least} are needed; add {least - len(shape)}."
         faulty.append(Fault("points", -1, sentence))
     if degree is not None and degree < 1:
         faulty.append(Fault("degree", -1, f"The degree is {degree}; it must be 1 or more."))
@@ -56,7 +57,8 @@ def refuse(found: list[Fault]) -> None:
 
 def _weight_faults(weights: NDArray[np.float64], count: int) -> list[Fault]:
     if weights.shape != (count,):
-        return [Fault("weights", -1, f"There are {weights.size} weights for {count} points; give each one.")]
+        there = "There is 1 weight" if weights.size == 1 else f"There are {weights.size} weights"
+        return [Fault("weights", -1, f"{there} for {count} points; give each one.")]
     return [
         Fault("weights", int(i), f"Weight {i} is {weights[i]:g}; it must be a finite number above 0.")
         for i in np.flatnonzero(~(np.isfinite(weights) & (weights > 0)))
@@ -66,7 +68,8 @@ def _weight_faults(weights: NDArray[np.float64], count: int) -> list[Fault]:
 def _knot_faults(knots: NDArray[np.float64], count: int, degree: int) -> list[Fault]:
     needed = count + degree + 1
     if knots.shape != (needed,):
-        what = f"There are {knots.size} knots, and {count} points of degree {degree} need {needed}"
+        there = "There is 1 knot" if knots.size == 1 else f"There are {knots.size} knots"
+        what = f"{there}, and {count} points of degree {degree} need {needed}"
         more = knots.size - needed
         return [Fault("knots", -1, f"{what}; {'take away' if more > 0 else 'add'} {abs(more)}.")]
     unbounded = [

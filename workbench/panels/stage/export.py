@@ -58,6 +58,12 @@ class Exporter(QObject):
         run = self._view.stepped_run()
         return 0 if run is None else run.tellable
 
+    @property
+    def kept_back(self) -> bool:
+        """Whether there are steps, and all of them are asked for first."""
+        run = self._view.stepped_run()
+        return run is not None and run.kept_back
+
     def page(self, number: int | None = None) -> Paintable:
         """What is seen now, or one step of the run, with its sentence."""
         run = self._view.stepped_run()

@@ -102,10 +102,12 @@ def depths_of(seen: Index, corners: Array, triangles: Index) -> Array:
     """(h, w) the depth of the triangle that each pixel shows, by the formula of all methods; 1 of nothing."""
     depth_of_all: Any = depth_at  # its arithmetic is that of arrays, too
     depth = np.full(seen.shape, FARTHEST)
-    for number in np.unique(seen[seen != NOTHING]).tolist():
-        surface = surface_of(corners, triangles, number)
-        y, x = np.nonzero(seen == number)
-        depth[y, x] = depth_of_all(surface, x, y)
+    pixels = np.flatnonzero(seen != NOTHING)
+    pixels = pixels[np.argsort(seen.flat[pixels], kind="stable")]  # those of one triangle stand together
+    numbers, starts = np.unique(seen.flat[pixels], return_index=True)
+    for number, here in zip(numbers.tolist(), np.split(pixels, starts[1:]), strict=False):
+        y, x = np.divmod(here, seen.shape[1])
+        depth.flat[here] = depth_of_all(surface_of(corners, triangles, number), x, y)
     return depth
 
 

@@ -10,9 +10,10 @@ from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 from workbench.document.storage.saving import refusal
 from workbench.exchange.writing import FileFormat, SuffixError, completed
 from workbench.language import _, legible
+from workbench.widgets.fields.file_dialog import FileDialog
 
 
-class SaveDialog(QFileDialog):
+class SaveDialog(FileDialog):
     """``then(path, file_format)`` follows when a name was given; it ends in the suffix of one of ``formats``.
 
     The dialog begins at ``start``, and asks before a file is replaced; of ``numbered`` formats the files have
@@ -27,7 +28,7 @@ class SaveDialog(QFileDialog):
         formats: Sequence[FileFormat],
         then: Callable[[Path, FileFormat], object],
     ) -> None:
-        super().__init__(owner, title, str(start.parent))
+        super().__init__(owner, title, start.parent)
         self._owner, self._formats, self._then = owner, list(formats), then
         self._suffixes = {file_format.suffix for file_format in formats}
         self._filters = [f"{file_format.title} (*{file_format.suffix})" for file_format in formats]
