@@ -28,6 +28,8 @@ from workbench.widgets.canvas.drawing import PenStroke
 from workbench.widgets.canvas.overlay import Cell, Overlay
 from workbench.widgets.look.tokens import Tokens
 
+_MOST_HANDLES = 2000  # of several figures; more of them cover the picture, and take longer than a frame
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Progress:
@@ -124,11 +126,13 @@ def _name(sheet: Sheet, slug: str, ink: Ink) -> Word:
 
 
 def with_selection(overlay: Overlay, sheet: Sheet, selected: list[AnyFigure], held: str) -> Overlay:
-    """The marks with handles and outlines of what is selected."""
+    """The marks with outlines of what is selected, and with its handles where these are not too many."""
+    points = sum(len(figure.points_world) for figure in selected)
+    held_by = selected if len(selected) == 1 or points <= _MOST_HANDLES else []
     return replace(
         overlay,
         outlined=tuple(curve for figure in selected for curve in outline(sheet, figure)),
-        handles=tuple(handle for figure in selected for handle in handles(sheet, figure, held)),
+        handles=tuple(handle for figure in held_by for handle in handles(sheet, figure, held)),
     )
 
 
