@@ -1,4 +1,4 @@
-"""Thousands of lines painted once, as layers that stay while the view does; only what changes is painted anew.
+"""Thousands of lines painted once, as layers that stay while the view does: only changes are painted anew.
 
 Where there are too many for one frame, a layer grows from frame to frame, and meanwhile the one before it is
 shown, moved to where it belongs.
@@ -7,7 +7,7 @@ shown, moved to where it belongs.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 import numpy as np
