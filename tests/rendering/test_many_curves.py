@@ -52,7 +52,7 @@ def test_chains_of_more_chords_than_are_made_at_once(monkeypatch: pytest.MonkeyP
 
 def test_curves_that_touch_are_not_joined():
     one = np.array([[[0.0, 0.0], [1.0, 4.0], [3.0, 4.0], [5.0, 0.0]]])
-    other = one + (5.0, 0.0)
+    other = one + np.array([5.0, 0.0])
     first, second = texts.polylines([texts.Pieces(np.arange(2.0), each) for each in (one, other)], 0.1)
     assert first[-1].tolist() == second[0].tolist() == [5.0, 0.0]
 

@@ -48,7 +48,7 @@ class Memory(Generic[T]):
         return new
 
     def get_all(self, keys: Sequence[Hashable], make: Callable[[list[int]], Iterable[T]]) -> list[T]:
-        """What has each of these keys; of those that are not there ``make`` is given the places, all at once."""
+        """What has each of these keys; ``make`` is given the places of all that are not there, at once."""
         with self._lock:
             kept = [self._kept.get(key) for key in keys]
             for key, value in zip(keys, kept, strict=True):
