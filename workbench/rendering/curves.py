@@ -1,7 +1,7 @@
 """Curves, and circles and ellipses that do not stay round, as the lines that are drawn, device."""
 
-from collections.abc import Iterable
-from functools import lru_cache, partial
+from collections.abc import Sequence
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -55,17 +55,46 @@ def polyline_of(sheet: Sheet, curve: Curve, spline: str = "", tolerance_px: floa
     return _polylines.get(key, lambda: _polyline(*key))
 
 
-def polylines_of(sheet: Sheet, figures: Iterable[Curve | Round]) -> list[Array]:
+def polylines_of(sheet: Sheet, figures: Sequence[Curve | Round]) -> list[Array]:
     """That of each curve at its own tolerance, of a circle or ellipse closed and counter-clockwise or not."""
-    return [
-        _polyline_of_round(sheet, figure) if isinstance(figure, Round) else polyline_of(sheet, figure)
-        for figure in figures
-    ]
+    keys = [_key(sheet, figure) for figure in figures]
+    return _polylines.get_all(keys, lambda missing: _made([keys[k] for k in missing]))
 
 
-def _polyline_of_round(sheet: Sheet, figure: Round) -> Array:
-    key = figure_map(sheet, figure), figure
-    return _polylines.get(key, partial(_flattened, *key))
+_Key = tuple[PlaneMap, Curve, str, float] | tuple[PlaneMap, Round]
+
+
+def _key(sheet: Sheet, figure: Curve | Round) -> _Key:
+    if isinstance(figure, Round):
+        return figure_map(sheet, figure), figure
+    return figure_map(sheet, figure), figure, "", figure.tolerance_px
+
+
+def _made(keys: Sequence[_Key]) -> list[Array]:
+    """The polylines of curves and rounds; those of one degree, map and tolerance at once."""
+    made: dict[int, Array] = {}
+    alike: dict[tuple[int, PlaneMap, float], dict[int, Pieces]] = {}
+    for k, key in enumerate(keys):
+        if len(key) == 2:
+            made[k] = _flattened(*key)
+            continue
+        scale, curve, _spline, tolerance_px = key
+        try:
+            pieces = pieces_of(curve)
+        except ValueError:
+            made[k] = _NOTHING
+            continue
+        if pieces.weights is None:
+            alike.setdefault((pieces.degree, scale, tolerance_px), {})[k] = pieces
+        else:
+            made[k] = _polyline(*key)
+    for (_degree, scale, tolerance_px), group in alike.items():
+        ends = np.cumsum([len(pieces.controls) for pieces in group.values()])[:-1]
+        controls = scale.points(np.concatenate([pieces.controls for pieces in group.values()]))
+        parts = zip(group.values(), np.split(controls, ends), strict=True)
+        on_device = [pieces._replace(controls=part) for pieces, part in parts]
+        made.update(zip(group, curves.polylines(on_device, tolerance_px), strict=True))
+    return [made[k] for k in range(len(keys))]
 
 
 @np.errstate(over="ignore", invalid="ignore")
@@ -77,9 +106,10 @@ def _flattened(scale: PlaneMap, figure: Round) -> Array:
 
 # A sheet of many curves is drawn at every step of a drag, each as pixels and as a smooth line.
 _polylines: Memory[Array] = Memory(32 << 20)
+_NOTHING = np.empty((0, 2))
 
 
 def _polyline(scale: PlaneMap, curve: Curve, spline: str, tolerance_px: float) -> Array:
     if fault_of(curve, spline):
-        return np.empty((0, 2))
+        return _NOTHING
     return curves.polyline(_device(Same(pieces_of(curve, spline)), scale), tolerance_px)

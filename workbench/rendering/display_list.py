@@ -126,9 +126,19 @@ def display_list(sheet: Sheet, flatness_px: float = FLATNESS_PX) -> list[Stroke]
     return [stroke for seen in sheet.seen for stroke in _in_one_view(seen, flatness_px)]
 
 
-def _in_one_view(sheet: Sheet, flatness: float) -> list[Stroke]:
+def seen_segments(sheet: Sheet, flatness_px: float = FLATNESS_PX) -> Segments:
+    """The strokes as segments, those of one view after those of another, and of which figures they are."""
+    views = [_seen_in_one_view(seen, flatness_px) for seen in sheet.seen]
+    return Segments(*(np.concatenate(columns) for columns in zip(*views, strict=True)))
+
+
+def _seen_in_one_view(sheet: Sheet, flatness: float) -> Segments:
     bounds = _bounds(sheet)
-    seen = cut(_segments(sheet, flatness, bounds), bounds)
+    return cut(_segments(sheet, flatness, bounds), bounds)
+
+
+def _in_one_view(sheet: Sheet, flatness: float) -> list[Stroke]:
+    seen = _seen_in_one_view(sheet, flatness)
     colours = np.array([colour_of(sheet, figure) for figure in sheet.figures], np.int64)[seen.of]
     columns = *seen.table.T.tolist(), colours.tolist(), seen.of.tolist()
     return list(map(Stroke._make, zip(*columns, strict=True)))

@@ -1,7 +1,8 @@
 """Arrays that are costly to make, kept by what they are made of: those asked for last, up to a size."""
 
 from collections import OrderedDict
-from collections.abc import Callable, Hashable
+from collections.abc import Callable, Hashable, Iterable, Sequence
+from functools import partial
 from threading import Lock
 from typing import Any, Generic, TypeVar
 from weakref import WeakSet
@@ -45,6 +46,20 @@ class Memory(Generic[T]):
             while self._bytes > self._most and len(self._kept) > 1:
                 self._bytes -= _size(self._kept.popitem(last=False)[1])
         return new
+
+    def get_all(self, keys: Sequence[Hashable], make: Callable[[list[int]], Iterable[T]]) -> list[T]:
+        """What has each of these keys; ``make`` is given the places of all that are not there, at once."""
+        with self._lock:
+            kept = [self._kept.get(key) for key in keys]
+            for key, value in zip(keys, kept, strict=True):
+                if value is not None:
+                    self._kept.move_to_end(key)
+        missing = [k for k, value in enumerate(kept) if value is None]
+        made = dict(zip(missing, make(missing), strict=True)) if missing else {}
+        return [
+            self.get(keys[k], partial(made.__getitem__, k)) if value is None else value
+            for k, value in enumerate(kept)
+        ]
 
     def clear(self) -> None:
         """Forget all."""

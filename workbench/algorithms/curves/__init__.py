@@ -52,7 +52,7 @@ from workbench.geometry.curves.knots import (
 )
 from workbench.geometry.curves.kochanek_bartels import kochanek_bartels
 from workbench.geometry.curves.pieces import Pieces, in_rows, located, piece_points
-from workbench.geometry.curves.polyline import chord_counts, polyline
+from workbench.geometry.curves.polyline import chord_counts, polyline, polylines
 from workbench.geometry.curves.rational import Nurbs, circle, gap_between, homogeneous, projected
 from workbench.geometry.curves.rational_polyline import nurbs_to_polyline
 from workbench.geometry.curves.self_intersections import self_intersections, self_meetings, self_overlaps
@@ -127,6 +127,7 @@ __all__ = [
     "piece_derivative",
     "piece_points",
     "polyline",
+    "polylines",
     "projected",
     "remove_knot",
     "self_intersections",

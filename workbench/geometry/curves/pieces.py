@@ -79,12 +79,16 @@ def with_length(pieces: Pieces) -> Pieces:
     return Pieces(kept, controls[long], None if weights is None else weights[long])
 
 
-def with_ends(pieces: Pieces, corners: Array, ends: NDArray[np.int64]) -> Array:
-    """The corners (n, k), those of piece j before number ``ends`` (m,), with the end of the curve put in,
-    and those where it is parted."""
+def is_parted(pieces: Pieces) -> NDArray[np.bool_]:
+    """After which pieces (m,) the curve does not go on where it is: the last, and those before a gap."""
     last = pieces.controls[:, -1]
-    parted = np.append((last[:-1] != pieces.controls[1:, 0]).any(axis=1), True)
-    return np.insert(corners, ends[parted], last[parted], axis=0)
+    return np.append((last[:-1] != pieces.controls[1:, 0]).any(axis=1), True)
+
+
+def with_ends(pieces: Pieces, corners: Array, ends: NDArray[np.int64], parted: NDArray[np.bool_]) -> Array:
+    """The corners (n, k), those of piece j before number ``ends`` (m,), with the end of each piece put in
+    after which the curve is ``parted`` (m,)."""
+    return np.insert(corners, ends[parted], pieces.controls[parted, -1], axis=0)
 
 
 def in_rows(pieces: Pieces) -> tuple[Array, Array, Array, int]:

@@ -1,15 +1,19 @@
 """Curves as polylines that stay within a tolerance."""
 
+from collections.abc import Sequence
+from itertools import pairwise
+
 import numpy as np
 from numpy.typing import NDArray
 
-from workbench.geometry.curves.pieces import Pieces, points_within, with_ends, with_length
+from workbench.geometry.curves.pieces import Pieces, is_parted, points_within, with_ends, with_length
 from workbench.geometry.curves.rational_polyline import nurbs_to_polyline
 from workbench.geometry.curves.refusals import refuse_tolerance
 
 Array = NDArray[np.float64]
 
 MOST_CHORDS = 2**15
+_AT_ONCE = 2**16  # chords, so that what is kept beside them is a few megabytes
 UNEVEN = 128  # chords of a rational piece: it takes more at equal steps when its weights are very unequal
 
 
@@ -56,7 +60,38 @@ def polyline(pieces: Pieces, tolerance: float) -> Array:
     counts = chord_counts(kept, tolerance)
     if kept.weights is not None and counts.max() > UNEVEN:
         return nurbs_to_polyline(kept, tolerance)[0]
+    return _chains(kept, counts, np.array([len(counts)]))[0]
+
+
+def polylines(curves: Sequence[Pieces], tolerance: float) -> list[Array]:
+    """The chains of several curves of one degree and without weights, as ``polyline`` makes each of them.
+
+    Raises: ValueError for a tolerance that is not above 0.
+    """
+    refuse_tolerance(tolerance)
+    if not curves:
+        return []
+    kept = [with_length(each) for each in curves]
+    controls = np.concatenate([each.controls for each in kept])
+    counts = chord_counts(Pieces(np.zeros(0), controls), tolerance)
+    last = np.cumsum([len(each.controls) for each in kept])
+    made: list[Array] = []
+    for some in np.split(last, np.flatnonzero(np.diff(np.cumsum(counts)[last - 1] // _AT_ONCE)) + 1):
+        begin = 0 if not made else int(last[len(made) - 1])
+        part = slice(begin, int(some[-1]))
+        made += _chains(Pieces(np.zeros(0), controls[part]), counts[part], some - begin)
+    return made
+
+
+def _chains(pieces: Pieces, counts: NDArray[np.int64], last: NDArray[np.int64]) -> list[Array]:
+    """The chains of curves whose pieces end before the numbers ``last``, with so many chords (m,) each."""
     ends = np.cumsum(counts)
     number = np.repeat(np.arange(len(counts)), counts)
     share = (np.arange(ends[-1]) - (ends - counts)[number]) / counts[number]
-    return with_ends(kept, points_within(kept, number, share), ends)
+    parted = is_parted(pieces)
+    parted[last - 1] = True
+    corners = with_ends(pieces, points_within(pieces, number, share), ends, parted)
+    if len(last) == 1:
+        return [corners]
+    after = (ends + np.cumsum(parted))[last - 1].tolist()
+    return [corners[begin:end].copy() for begin, end in pairwise((0, *after))]

@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.geometry.curves.halving import halved_until_near, lengths
-from workbench.geometry.curves.pieces import Pieces, with_ends, with_length
+from workbench.geometry.curves.pieces import Pieces, is_parted, with_ends, with_length
 from workbench.geometry.curves.refusals import refuse_tolerance
 
 Array = NDArray[np.float64]
@@ -22,7 +22,7 @@ def nurbs_to_polyline(pieces: Pieces, tolerance: float) -> tuple[Array, float]:
     kept = with_length(pieces)
     starts, corners, errors = halved_until_near(kept, tolerance, _chords)
     ends = np.cumsum(np.bincount(starts.astype(np.intp)))
-    return with_ends(kept, corners, ends), float(errors.max())
+    return with_ends(kept, corners, ends, is_parted(kept)), float(errors.max())
 
 
 def _chords(whole: Array) -> tuple[Array, Array]:

@@ -1,6 +1,7 @@
 """What the canvas shows of a sheet, a run and a comparison, as values, for screen and paper alike."""
 
 from dataclasses import dataclass, replace
+from itertools import chain
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,7 +10,7 @@ from workbench.algorithms import catalogue
 from workbench.algorithms.marks import Ink, Word
 from workbench.document.model import AnyFigure, Sheet
 from workbench.language import _
-from workbench.panels.stage.outline import handles, outline
+from workbench.panels.stage.outline import handles, outlines
 from workbench.panels.stage.picture import (
     Cells,
     Pixels,
@@ -27,6 +28,8 @@ from workbench.session.run import Run
 from workbench.widgets.canvas.drawing import PenStroke
 from workbench.widgets.canvas.overlay import Cell, Overlay
 from workbench.widgets.look.tokens import Tokens
+
+_MOST_HANDLES = 2000  # of several figures; more of them cover the picture, and take longer than a frame
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -90,7 +93,7 @@ def compose(
     """
     background = packed(now.canvas)
     seen = [figure for figure in sheet.figures if figure.visible and outlined]
-    overlay = Overlay(ideal=tuple(curve for figure in seen for curve in outline(sheet, figure)))
+    overlay = Overlay(ideal=tuple(chain.from_iterable(outlines(sheet, seen))))
     if progress is not None:
         overlay = replace(
             overlay, candidates=progress.candidates, rejected=progress.rejected, current=progress.current
@@ -124,11 +127,13 @@ def _name(sheet: Sheet, slug: str, ink: Ink) -> Word:
 
 
 def with_selection(overlay: Overlay, sheet: Sheet, selected: list[AnyFigure], held: str) -> Overlay:
-    """The marks with handles and outlines of what is selected."""
+    """The marks with outlines of what is selected, and with its handles where these are not too many."""
+    points = sum(len(figure.points_world) for figure in selected)
+    held_by = selected if len(selected) == 1 or points <= _MOST_HANDLES else []
     return replace(
         overlay,
-        outlined=tuple(curve for figure in selected for curve in outline(sheet, figure)),
-        handles=tuple(handle for figure in selected for handle in handles(sheet, figure, held)),
+        outlined=tuple(chain.from_iterable(outlines(sheet, selected))),
+        handles=tuple(handle for figure in held_by for handle in handles(sheet, figure, held)),
     )
 
 

@@ -1,6 +1,8 @@
 """The ideal geometry of figures in device coordinates: drawn thin over the pixels, and pointed at."""
 
+from collections.abc import Sequence
 from functools import lru_cache
+from itertools import pairwise
 
 import numpy as np
 from msgspec.structs import replace
@@ -12,7 +14,8 @@ from workbench.document.model import AnyFigure, Circle, Ellipse, Line, Polyline,
 from workbench.document.model import Curve as CurveFigure
 from workbench.geometry.conventions import round_half_up
 from workbench.geometry.distance import polyline_distance
-from workbench.rendering import display_list, figure_map, painter_of
+from workbench.rendering import figure_map, painter_of
+from workbench.rendering.display_list import seen_segments
 from workbench.rendering.memory import Memory
 from workbench.rendering.pipeline import fills
 from workbench.widgets.canvas.overlay import Handle
@@ -26,8 +29,16 @@ _FLATNESS_PX = 0.005  # no corner is seen where a pixel is forty large
 
 def outline(sheet: Sheet, figure: AnyFigure) -> tuple[Curve, ...]:
     """The whole figure as open polylines, each (n, 2), in every view, clipped to its viewport alone."""
+    return outlines(sheet, [figure])[0]
+
+
+def outlines(sheet: Sheet, figures: Sequence[AnyFigure]) -> list[tuple[Curve, ...]]:
+    """That of each figure; those that are not at hand are made at once."""
     views = _unclipped(sheet.views)
-    return _outlines.get((views, figure), lambda: _outline(replace(sheet, figures=(figure,), views=views)))
+    return _outlines.get_all(
+        [(views, figure) for figure in figures],
+        lambda missing: _made(replace(sheet, figures=tuple(figures[k] for k in missing), views=views)),
+    )
 
 
 @lru_cache(maxsize=16)
@@ -38,7 +49,7 @@ def _unclipped(views: tuple[View, ...]) -> tuple[View, ...]:
 def clipped_outline(sheet: Sheet, figure: AnyFigure) -> tuple[Curve, ...]:
     """As ``outline``, clipped to the clip windows too, by the sheet's clippers."""
     key = sheet.views, sheet.line_clipper, sheet.polygon_clipper, figure
-    return _clipped.get(key, lambda: _outline(replace(sheet, figures=(figure,))))
+    return _clipped.get(key, lambda: _made(replace(sheet, figures=(figure,)))[0])
 
 
 def prepare(sheet: Sheet, figure: AnyFigure) -> None:
@@ -50,15 +61,17 @@ _outlines: Memory[tuple[Curve, ...]] = Memory(32 << 20)
 _clipped: Memory[tuple[Curve, ...]] = Memory(8 << 20)
 
 
-def _outline(sheet: Sheet) -> tuple[Curve, ...]:
-    curves: list[list[tuple[float, float]]] = []
-    for stroke in display_list(sheet, _FLATNESS_PX):
-        start, end = (stroke.x0, stroke.y0), (stroke.x1, stroke.y1)
-        if curves and curves[-1][-1] == start:
-            curves[-1].append(end)
-        else:
-            curves.append([start, end])
-    return tuple(np.array(curve, np.float64) for curve in curves)
+def _made(sheet: Sheet) -> list[tuple[Curve, ...]]:
+    """The polylines of each figure of a sheet: its strokes, joined where one begins at the end of another."""
+    segments = seen_segments(sheet, _FLATNESS_PX)
+    order = np.argsort(segments.of, kind="stable")
+    table, of = segments.table[order], segments.of[order]
+    parted = (table[1:, :2] != table[:-1, 2:]).any(axis=1) | (of[1:] != of[:-1])
+    begins = np.flatnonzero(np.append(True, parted)[: len(of)])
+    made: list[list[Curve]] = [[] for _figure in sheet.figures]
+    for begin, end in pairwise((*begins.tolist(), len(of))):
+        made[of[begin]].append(np.vstack([table[begin, :2], table[begin:end, 2:]]))
+    return list(map(tuple, made))
 
 
 def distance_to(curves: tuple[Curve, ...], x: float, y: float) -> float:

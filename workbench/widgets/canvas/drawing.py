@@ -18,7 +18,8 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QImage, QPainter, QPen
 
 from workbench.algorithms.marks import Mark, Word
-from workbench.widgets.canvas.lines import on_screen, paint_lines
+from workbench.widgets.canvas.line_layers import paint_many
+from workbench.widgets.canvas.lines import on_screen
 from workbench.widgets.canvas.polygons import polygon
 from workbench.widgets.look.tokens import Tokens, colour
 
@@ -134,10 +135,10 @@ def _style_of(drawn: Sized) -> object:
 def _strokes(painter: QPainter, scene: Scene, style: PenStroke, lines: list[Points]) -> None:
     if style.haloed:
         around = QPen(QColor(scene.tokens.canvas), (style.width + 2.5) * scene.unit)
-        paint_lines(painter, scene, lines, around)
+        paint_many(painter, scene, lines, around)
     ink = QColor(ink_of(scene.tokens, style.ink))
     pen = QPen(ink, style.width * scene.unit, PATTERNS[style.pattern], Qt.PenCapStyle.FlatCap)
-    paint_lines(painter, scene, lines, pen)
+    paint_many(painter, scene, lines, pen)
 
 
 def _marker(painter: QPainter, scene: Scene, spot: Marker) -> None:

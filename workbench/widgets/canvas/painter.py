@@ -10,7 +10,7 @@ from PySide6.QtGui import QColor, QFont, QImage, QPainter, QPen
 from workbench.algorithms.marks import Word
 from workbench.rendering.comparing import BOTH, ONLY_FIRST, ONLY_SECOND, TIE_FIRST, TIE_SECOND
 from workbench.widgets.canvas.drawing import paint_drawn
-from workbench.widgets.canvas.lines import paint_lines
+from workbench.widgets.canvas.line_layers import LineLayers, paint_many
 from workbench.widgets.canvas.mark_styles import sized
 from workbench.widgets.canvas.marks import paint_handles, paint_marks
 from workbench.widgets.canvas.overlay import Overlay
@@ -23,7 +23,10 @@ GRID_FROM, GAP_FROM = 6, 8
 
 @dataclass(frozen=True, slots=True)
 class Scene:
-    """One painting: ``unit`` is the screen pixels of one logical pixel, ``hair`` the width of a grid line."""
+    """One painting: ``unit`` is the screen pixels of one logical pixel, ``hair`` the width of a grid line.
+
+    ``layers`` keep what a canvas painted before of thousands of lines.
+    """
 
     area: Area
     view: CanvasView
@@ -33,6 +36,7 @@ class Scene:
     font: QFont
     overlay: Overlay
     vector: bool = False
+    layers: LineLayers | None = None
 
     @property
     def hair(self) -> int:
@@ -233,5 +237,5 @@ def _paint_curves(painter: QPainter, scene: Scene) -> None:
     muted = QPen(QColor(scene.tokens.muted), 1.25 * scene.unit)
     accent = QPen(QColor(scene.tokens.accent), 1.5 * scene.unit)
     for pen, curves in ((muted, scene.overlay.ideal), (accent, scene.overlay.outlined)):
-        paint_lines(painter, scene, curves, pen)
+        paint_many(painter, scene, curves, pen)
     painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)

@@ -6,12 +6,13 @@ from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QColor, QImage, QPainter, QPaintEvent, QPen, QRegion, QResizeEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from workbench.language import _
 from workbench.widgets.canvas.handle_names import label_box, label_size, paint_label, tag_box
+from workbench.widgets.canvas.line_layers import LineLayers
 from workbench.widgets.canvas.marks import ring
 from workbench.widgets.canvas.overlay import Cell, Overlay, Still
 from workbench.widgets.canvas.painter import Picture, Scene, paint_over, paint_scene
@@ -48,6 +49,7 @@ class CanvasSurface(QWidget):
         self.cells_per_unit = 1.0
         self._stale = True
         self._frame = QImage()
+        self._layers = LineLayers()
         self._kept: tuple[tuple[object, ...], QImage] | None = None
         self._describe: Callable[[int, int], str] | None = None
         self._tag = ""
@@ -305,7 +307,7 @@ class CanvasSurface(QWidget):
 
     def _paint_frame(self) -> None:
         """Picture, marks, rulers, cursor and tag."""
-        scene = self.scene()
+        scene = replace(self.scene(), layers=self._layers)
         area, unit = scene.area, scene.unit
         still = scene.overlay.still
         if still is None:
@@ -317,6 +319,8 @@ class CanvasSurface(QWidget):
             painter = QPainter(self._frame)
             painter.drawImage(0, 0, self._still_frame(scene, still))
             paint_over(painter, scene)
+        if self._layers.end_frame():
+            QTimer.singleShot(0, self, self.repaint_soon)
         self._rulers.paint(painter, scene, self._cursor or self._hover)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
         if self._pointed is not None:
