@@ -1,7 +1,7 @@
 """The commands of the menu Edit: they act on what has the focus."""
 
 from workbench.language import _
-from workbench.shell import clipboard, sheets
+from workbench.shell import clipboard
 from workbench.shell.actions import Command
 
 
@@ -11,7 +11,7 @@ def edit_commands() -> tuple[Command, ...]:
         Command(
             "undo",
             _("Undo"),
-            sheets.undo,
+            lambda w: w.undo(),
             ("Ctrl+Z",),
             "arrow-u-up-left",
             _("Undo the last edit"),
@@ -21,7 +21,7 @@ def edit_commands() -> tuple[Command, ...]:
         Command(
             "redo",
             _("Redo"),
-            sheets.redo,
+            lambda w: w.session.undo_stack.redo(),
             ("Ctrl+Shift+Z", "Ctrl+Y"),
             "arrow-u-up-right",
             _("Redo the edit that was undone"),

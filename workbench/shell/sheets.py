@@ -1,6 +1,5 @@
-"""The sheets of a picture: new ones, their names, copies, and what is seen when one goes or comes back."""
+"""The sheets of a picture: new ones, their names, copies, and what is seen when one goes."""
 
-from collections.abc import Callable
 from functools import partial
 from itertools import count
 from typing import TYPE_CHECKING
@@ -56,28 +55,6 @@ def sheet_commands() -> tuple[Command, ...]:
             needs="document",
         ),
     )
-
-
-def undo(window: "MainWindow") -> None:
-    """Take the last edit back."""
-    window.session.end_merge()
-    _move(window, window.session.undo_stack.undo)
-
-
-def redo(window: "MainWindow") -> None:
-    """Make the edit again that was taken back last."""
-    _move(window, window.session.undo_stack.redo)
-
-
-def _move(window: "MainWindow", move: Callable[[], object]) -> None:
-    """Undo or redo by ``move``; a sheet that comes with it is shown."""
-    session = window.session
-    known = {sheet.id for sheet in session.document.sheets}
-    move()
-    for sheet in session.document.sheets:
-        if sheet.id not in known:
-            window.files.show_sheet(sheet.id)
-            break
 
 
 def _add_empty(window: "MainWindow") -> None:

@@ -323,9 +323,8 @@ class MainWindow(QMainWindow):
 
     def undo(self) -> None:
         """Take the last edit back."""
-        from workbench.shell.sheets import undo
-
-        undo(self)
+        self.session.end_merge()
+        self.session.undo_stack.undo()
 
     def run_do(self, name: str) -> None:
         """Move the cursor of the run (first, back, forward, last), or act on a wrong answer."""

@@ -72,7 +72,6 @@ class WorkspaceBar(QFrame):
         for action, name in actions:
             set_icon(action, name)
             button = ActionButton(action, self)
-            button.setAccessibleName(action.text())
             button.setIconSize(QSize(20, 20))
             self._row.addWidget(button)
             self._commands.append(button)

@@ -68,7 +68,6 @@ class NamedViewsDock(QWidget):
         self.add.setToolTip(self.empty.button.toolTip())
         self.add.clicked.connect(self.name_view)
         self.bin = ActionButton(self.remove)
-        self.bin.setAccessibleName(self.remove.text())
         self._row = QWidget()
         row = QHBoxLayout(self._row)
         row.setContentsMargins(8, 4, 8, 4)

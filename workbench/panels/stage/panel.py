@@ -149,7 +149,6 @@ class FigurePanel(ChosenFigures, QWidget):
     def _button(self, action: QAction) -> QToolButton:
         button = ActionButton(action)
         button.setFixedSize(32, 32)
-        button.setAccessibleName(action.text())
         return button
 
     def point_at(self, cell: tuple[int, int] | None) -> None:

@@ -75,7 +75,6 @@ class TransformForm(QWidget):
         for action in actions:
             button = ActionButton(action)
             button.setFixedSize(32, 28)
-            button.setAccessibleName(action.text())
             self._buttons.addWidget(button)
 
     def refresh(self, pivot: Point | None) -> None:

@@ -66,5 +66,4 @@ def _action(panel: "ViewingPanel", row: PanelCommand) -> QAction:
 def _button(action: QAction) -> QToolButton:
     button = ActionButton(action)
     button.setFixedSize(32, 32)
-    button.setAccessibleName(action.text())
     return button

@@ -10,6 +10,7 @@ class ActionButton(QToolButton):
     def __init__(self, action: QAction, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.action = action
+        self.setAccessibleName(action.text())
         self.addAction(action)  # its shortcut works where the button is
         action.changed.connect(self._follow)
         self._follow()

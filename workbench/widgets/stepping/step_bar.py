@@ -123,7 +123,6 @@ class StepBar(QWidget):
         button = ActionButton(action)
         style = Qt.ToolButtonStyle
         button.setToolButtonStyle(style.ToolButtonTextOnly if words else style.ToolButtonIconOnly)
-        button.setAccessibleName(action.text())
         button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         if not words:
             button.setFixedSize(32, 32)

@@ -160,7 +160,6 @@ class Transport(QWidget):
         button = ActionButton(action)
         style = Qt.ToolButtonStyle
         button.setToolButtonStyle(style.ToolButtonTextBesideIcon if words else style.ToolButtonIconOnly)
-        button.setAccessibleName(action.text())
         button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         if not words:
             button.setFixedSize(32, 32)

@@ -79,7 +79,6 @@ class RasterBar(QWidget):
         button = ActionButton(action)
         button.setIconSize(QSize(16, 16))
         button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        button.setAccessibleName(action.text())
         self._buttons.append(button)
         self._flow.addWidget(button)
 

@@ -90,7 +90,6 @@ class ListTable(QWidget):
     def _button(action: QAction) -> QToolButton:
         button = ActionButton(action)
         button.setIconSize(QSize(16, 16))
-        button.setAccessibleName(action.text())
         button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         return button
 
