@@ -9,6 +9,7 @@ from PySide6.QtWidgets import (
     QAbstractItemView,
     QApplication,
     QComboBox,
+    QLabel,
     QLineEdit,
     QListView,
     QMainWindow,
@@ -23,6 +24,7 @@ from PySide6.QtWidgets import (
 from pytestqt.qtbot import QtBot
 
 from workbench.paths import resource
+from workbench.shell.hints import Hints
 from workbench.shell.style_sheet import style_sheet
 from workbench.shell.window import MainWindow
 from workbench.widgets.look.icons import icon, set_icon
@@ -155,6 +157,16 @@ def test_larger_type(window: MainWindow) -> None:
     window.themes.choose("light", large=False)
     assert (large, QApplication.font().pixelSize()) == (16, 13)
     assert theme.current is LIGHT
+
+
+def test_a_hint_holds_its_words_when_they_become_larger(qtbot: QtBot, window: MainWindow) -> None:
+    window.show_hints_again()
+    hints = window.findChild(Hints)
+    assert hints is not None
+    window.themes.choose("light", large=True)
+    words = next(each for each in hints.findChildren(QLabel) if each.text() == hints.text)
+    qtbot.waitUntil(lambda: words.height() >= words.heightForWidth(words.width()))
+    window.themes.choose("light", large=False)
 
 
 @pytest.mark.qt_log_ignore("This plugin does not support", extend=True)

@@ -103,6 +103,14 @@ class Hints(QFrame):
             max(8, min(window.height() - self.height() - 8, y)),
         )
 
+    def event(self, event: QEvent) -> bool:
+        """As large as its words are, also when all type has become larger."""
+        done = super().event(event)
+        if event.type() == QEvent.Type.LayoutRequest and self._at < len(self._places):
+            self.adjustSize()
+            self._place()
+        return done
+
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Escape:
             self.dismiss()
