@@ -178,6 +178,8 @@ class Monkey(QObject):
                 before.close()
         weights = edited(self._window.session)
         self._window.session.new()
+        self._window.views.together()
+        self._window.showNormal()
         self._window.resize(*SIZE)
         choose_theme(self._window, "system")
         choose_type(self._window, large=False)
