@@ -149,8 +149,10 @@ class ObjectFields(QScrollArea):
                 return
             edit, now = set_link(thing.id, replace(link, **{attribute: value})), getattr(link, attribute)
         else:
-            whole = numbers_of(type(thing.solid))[name].whole
-            edit = set_solid_parameter(thing.id, name, int(value) if whole else value)
+            number = numbers_of(type(thing.solid)).get(name)
+            if number is None:  # the field was left because another solid was chosen
+                return
+            edit = set_solid_parameter(thing.id, name, int(value) if number.whole else value)
             now = getattr(thing.solid, name)
         try:
             self._session.apply(edit, _("Change value"), merge)

@@ -128,6 +128,17 @@ def test_numbers_of_lights_and_materials_are_typed(qtbot: QtBot, page: ShadingPa
     assert len(scene_of(page).lights) == 1
 
 
+def test_a_number_that_was_begun_goes_with_the_light_it_was_of(qtbot: QtBot, page: ShadingPage) -> None:
+    lamps, before = page.lamps, scene_of(page)
+    field = lamps.fields["position.y"]
+    field.field.setFocus()
+    field.field.selectAll()
+    qtbot.keyClicks(field.field, "4096")
+    lamps.choose("m1")
+    field.edited.emit(4096.0)  # as where the focus leaves it only then
+    assert scene_of(page) == before
+
+
 def test_four_shadings_side_by_side_from_one_command(qtbot: QtBot, page: ShadingPage) -> None:
     page.together.trigger()
     settle(qtbot, page)

@@ -1,4 +1,4 @@
-"""The fields of a solid show its equation, where it has one."""
+"""The fields of a solid: its equation, where it has one, and numbers that are left as another is chosen."""
 
 from PySide6.QtWidgets import QLabel
 
@@ -15,3 +15,19 @@ def test_an_ellipsoid_shows_its_equation_and_a_box_none(qtbot):
         fields.show_object(Object("o1", solid, "m1"))
         words = [label.text() for label in fields.widget().findChildren(QLabel)]
         assert [word for word in words if "=" in word] == equations
+
+
+def test_a_number_that_was_begun_goes_with_the_solid_it_was_of(qtbot):
+    session = Session()
+    fields = ObjectFields(session)
+    qtbot.addWidget(fields)
+    fields.show_object(Object("o1", Ellipsoid(), "m1"))
+    begun = list(fields.fields)
+    fields.show_object(Object("o1", Box(), "m1"))
+    before = session.document
+    left = [name for name in begun if name not in fields.fields]
+    assert left
+    for name in left:
+        fields._set(name, "", 3.0)
+    assert session.document == before
+    session.close()
