@@ -24,7 +24,10 @@ def test_while_dragging_length_and_slope_stand_beside_the_pointer(qtbot, session
     assert points(line()) == [(20, 10), (30, 18)]
     assert session.undo_stack.count() == 0
     assert not session.run._held
-    qtbot.mouseRelease(panel.canvas, LEFT, pos=at(panel, 23, 14))
+    qtbot.mouseMove(panel.canvas, at(panel, 25, 15))
+    qtbot.mouseRelease(panel.canvas, LEFT, pos=at(panel, 25, 15))
+    settle()
+    assert points(line()) == [(20, 10), (30, 18)]
 
 
 def test_a_selected_figure_is_moved_nudged_duplicated_and_deleted(qtbot, session, panel, line):

@@ -174,8 +174,10 @@ class HandleDrag(Gesture):
     def drag(self, x: float, y: float) -> Cell:
         """Put it to the nearest pixel, which is returned."""
         cell = snapped(x, y)
+        if not self.busy:  # Escape let go of it, and the button is still down
+            return cell
         sheet, figure = self.session.frames.sheet, self._figure()
-        if figure is None or not self.busy:
+        if figure is None:
             return cell
         _sheet, _figure, *rest = self.held.split("/")
         if len(rest) == 2:
