@@ -10,7 +10,7 @@ from workbench.document import save
 from workbench.document.samples.examples import example_document
 from workbench.exchange.readable import READABLE, SUFFIXES, kind_of
 from workbench.exchange.reading import LIMITS
-from workbench.shell.files import _kinds
+from workbench.widgets.fields.file_dialog import _kinds
 
 CONTENT = {
     "drawing": '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0L9 9"/></svg>',

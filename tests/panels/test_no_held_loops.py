@@ -26,4 +26,4 @@ def test_only_where_a_file_is_named_is_an_answer_waited_for() -> None:
         for node in ast.walk(ast.parse(path.read_text()))
         if isinstance(node, ast.Call) and holds(node)
     }
-    assert waiting == {"widgets/fields/save_dialog.py"}
+    assert waiting == {"widgets/fields/file_dialog.py", "widgets/fields/save_dialog.py"}

@@ -36,7 +36,9 @@ def test_a_scene_is_shown_in_space_again_wherever_it_comes_from(qtbot: QtBot, tm
     for come in (
         lambda: window.files.show_sheet(window.session.sheet.id),
         lambda: window.files.open_path(path),
-        lambda: window.files._recovered(Recoverable(tmp_path / "lost", None, "house", 0.0), stored),
+        lambda: window.files._recovering._recovered(
+            Recoverable(tmp_path / "lost", None, "house", 0.0), stored
+        ),
     ):
         window.go("home")
         come()

@@ -182,13 +182,13 @@ def test_a_long_svg_is_read_beside_and_comes_in_as_one_step_of_undo(qtbot):
     panel = opened(qtbot)
     said = told(panel)
     paths = "".join(
-        f'<path fill="none" stroke="red" d="M {k} 0 C {k} 20 {k + 9} 20 {k + 9} 0"/>' for k in range(500)
+        f'<path fill="none" stroke="red" d="M {k} 0 C {k} 20 {k + 9} 20 {k + 9} 0"/>' for k in range(2000)
     )
     panel.exchange.take_svg(f'<svg xmlns="http://www.w3.org/2000/svg">{paths}</svg>')
     assert panel.session.sheet.figures == ()
     assert said == []  # that it is read is said by the window, once
-    qtbot.waitUntil(lambda: len(panel.session.sheet.figures) == 500, timeout=15000)
-    assert said[-1].startswith("500 figures")
+    qtbot.waitUntil(lambda: len(panel.session.sheet.figures) == 2000, timeout=15000)
+    assert said[-1].startswith("2000 figures")
     panel.session.undo_stack.undo()
     assert panel.session.sheet.figures == ()
     panel.exchange.take_svg(f'<svg xmlns="http://www.w3.org/2000/svg">{paths}</svg')
