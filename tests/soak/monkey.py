@@ -28,12 +28,13 @@ import time
 import traceback
 import warnings
 from collections.abc import Sequence
+from functools import partial
 from pathlib import Path
 from random import Random
 from statistics import median
 from typing import Any, TextIO
 
-from PySide6.QtCore import QEvent, QObject, QTimer, QtMsgType, qInstallMessageHandler
+from PySide6.QtCore import QEvent, QObject, QThread, QTimer, QtMsgType, qInstallMessageHandler
 from PySide6.QtGui import QDrag
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox
@@ -159,12 +160,24 @@ class Monkey(QObject):
         print(said, file=self._log, flush=True)
         self._done += 1
         if self._done % MARK == 0:
-            try:
-                self._measure()
-            except Exception:
-                self.faults.said.append(traceback.format_exc())
-            self._began = time.thread_time()
-        QTimer.singleShot(rng.choice((0, 0, 0, 0, 5, 30)), self._next)
+            self._mark(_DEEPEST)
+        else:
+            QTimer.singleShot(rng.choice((0, 0, 0, 0, 5, 30)), self._next)
+
+    def _mark(self, left: int) -> None:
+        """Measure once no question holds a loop of its own, which would keep all that is to be deleted."""
+        held = QApplication.activePopupWidget() or QApplication.activeModalWidget()
+        if held is not None:
+            held.close()
+        if left and (held is not None or QThread.currentThread().loopLevel() > 1):
+            QTimer.singleShot(_REST_MS, partial(self._mark, left - 1))
+            return
+        try:
+            self._measure()
+        except Exception:
+            self.faults.said.append(traceback.format_exc())
+        self._began = time.thread_time()
+        QTimer.singleShot(0, self._next)
 
     def _tell(self, text: str) -> None:
         print(text, end=" ", file=self._log, flush=True)
@@ -172,10 +185,6 @@ class Monkey(QObject):
     def _measure(self) -> None:
         """The memory of the process at rest."""
         faulthandler.dump_traceback_later(_NO_END_S * len(workspaces()), exit=True)
-        for _nested in range(_DEEPEST):
-            before = QApplication.activePopupWidget() or QApplication.activeModalWidget()
-            if before is not None:
-                before.close()
         weights = edited(self._window.session)
         self._window.session.new()
         self._window.views.together()
@@ -188,12 +197,9 @@ class Monkey(QObject):
             QTest.qWait(_REST_MS)
             self._window.reset_workspace()
             if each.slug in PAGED and (panels := self._window.panels(each.slug)):
-                for button in reversed(
-                    panels[0].buttons.buttons()
-                ):  # and each page a picture as large as it was
+                for button in reversed(panels[0].buttons.buttons()):  # as does each page
                     button.click()
                     QTest.qWait(_REST_MS)
-        # What is to be deleted waits for the loop that this was called from
         QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
         held = holdings()
         self.megabytes.append(held.resident)
