@@ -148,6 +148,7 @@ def test_run_to_a_line_and_to_a_pixel(make: Callable[..., Run]) -> None:
     run.first()
     run.set_detail(True)
     assert run.run_to_line(straight, "bresenham_line")
+    assert not run.run_to_line(straight, "de_casteljau")  # of a run before this one
     assert run.moment is not None
     assert run.moment.line == straight
 

@@ -53,7 +53,9 @@ def event_touching(recording: Recording, emits: Emits, after: int, x: int, y: in
 def event_on_line(recording: Recording, start: int, line: int, function: str = "") -> int | None:
     """The first event from ``start`` on at this line of the source file, in ``function`` if one is named."""
     found = recording.lines[start:] == line
+    names = [text.name for text in recording.texts]
+    if function and function not in names:  # it is of the run before, whose text is still in sight
+        return None
     if function:
-        names = [text.name for text in recording.texts]
         found = found & (recording.codes[start : start + len(found)] == names.index(function))
     return start + int(np.argmax(found)) if found.any() else None
