@@ -19,6 +19,8 @@ from workbench.document.weight import weight
 from workbench.session import Session
 from workbench.session.undo import Step, UndoStack
 
+pytestmark = pytest.mark.usefixtures("qapp")  # a session rings for it
+
 
 def named(name: str) -> Document:
     return edits.rename_sheet("s1", name)(blank_sheet())
