@@ -99,6 +99,14 @@ class _Raised(ast.NodeTransformer):
             del node.body[0]
         return node
 
+    def visit_If(self, node: ast.If) -> ast.If | None:
+        """The way out of a run that was stopped is no part of the text."""
+        if ast.unparse(node.test) == "_stopped(_sink)":
+            assert [type(each) for each in (*node.body, *node.orelse)] == [ast.Return]
+            return None
+        self.generic_visit(node)
+        return node
+
     def visit_For(self, node: ast.For) -> ast.For:
         """A branch whose items were chosen is a branch again."""
         self.generic_visit(node)
