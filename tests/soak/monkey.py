@@ -189,7 +189,9 @@ class Monkey(QObject):
         self._window.session.new()
         self._window.views.together()
         self._window.showNormal()
+        QTest.qWait(_REST_MS)  # until the window manager has done so, it would take back the size
         self._window.resize(*SIZE)
+        QTest.qWait(_REST_MS)
         choose_theme(self._window, "system")
         choose_type(self._window, large=False)
         for each in (*workspaces(), workspaces()[0]):  # each keeps what it showed until it is entered
