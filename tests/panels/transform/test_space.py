@@ -227,3 +227,20 @@ def test_a_sheet_without_objects_says_so(qtbot, panel, session):
     panel.space.empty.button.click()
     settle()
     assert session.sheet.scene is not None
+
+
+def test_how_high_matrices_are_to_be_does_not_depend_on_a_scroll_bar(panel):
+    """It comes and goes with the height: neither would ever come to rest."""
+    matrices, broken = panel.space.matrices, 0
+    matrices.blockSignals(True)
+    for width in range(380, 900, 8):
+        panel.resize(width, 620)
+        told, widths = [], []
+        for height in (40, 500):
+            matrices.setFixedHeight(height)
+            settle()
+            widths.append(matrices.viewport().width())
+            told.append([matrices.height_within(room) for room in (1000, 100, 60)])
+        assert told[0] == told[1], width
+        broken += widths[0] < widths[1]
+    assert broken  # a scroll bar took some of the width

@@ -128,7 +128,8 @@ class Matrices(QScrollArea):
         """How high it is to be where ``room`` pixels are left: the row of symbols goes before any scrolls."""
         margins = self._column.contentsMargins()
         edges = margins.top() + margins.bottom() + 1
-        width = max(self.viewport().width() - margins.left() - margins.right(), 1)
+        # Without a scroll bar, which would come and go with the height, and the height with it
+        width = max(self.maximumViewportSize().width() - margins.left() - margins.right(), 1)
         heights = [view.heightForWidth(width) for view in self.views[: len(self._rows)]]
         whole = sum(heights) + edges
         self._with_symbols = whole <= room or len(heights) < 2
