@@ -195,11 +195,10 @@ class Plot(QWidget):
         bottom.showLabel(bool(bottom.labelText) and room >= _TITLES_PX)
 
     def _resized(self) -> None:
+        """Qt would paint only what a kept axis has grown by: it is kept anew."""
         for side in ("left", "bottom"):
             axis = self._plot.getAxis(side)
-            axis.setCacheMode(
-                QGraphicsItem.CacheMode.NoCache
-            )  # Qt would paint only what a kept item has grown by
+            axis.setCacheMode(QGraphicsItem.CacheMode.NoCache)
             axis.setCacheMode(_KEPT)
         self._fit()
 
