@@ -9,7 +9,7 @@ from pytestqt.qtbot import QtBot
 
 from workbench.widgets.canvas import line_layers
 from workbench.widgets.canvas.drawing import PenStroke
-from workbench.widgets.canvas.overlay import Overlay
+from workbench.widgets.canvas.overlay import Overlay, Still
 from workbench.widgets.canvas.pixel_canvas import PixelCanvas
 
 
@@ -156,3 +156,22 @@ def test_two_pens_grow_in_turn(canvas, counts, monkeypatch):
     assert sum(counts) == 1500
     settle()
     assert sum(counts) == 2400
+
+
+def test_what_stays_during_a_drag_comes_to_be_whole(canvas, counts, monkeypatch):
+    monkeypatch.setattr(line_layers, "CORNERS_A_FRAME", 1000)
+    canvas._layers = line_layers.LineLayers()
+    lines = segments(2000)
+    strokes = tuple(PenStroke(line, "muted", 1.25) for line in lines)
+    canvas.set_overlay(Overlay(still=Still(strokes)))
+    settle()
+    while_dragged = frame(canvas)
+    assert sum(counts) == 2000
+    for x in range(5):
+        canvas.set_overlay(Overlay(still=canvas.overlay.still, chosen=((x, 3),)))
+        settle()
+    assert sum(counts) == 2000
+    canvas.set_overlay(Overlay(drawn=strokes))
+    settle()
+    assert sum(counts) == 2000
+    assert np.abs(while_dragged - frame(canvas)).max() == 0

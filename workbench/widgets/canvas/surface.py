@@ -307,20 +307,19 @@ class CanvasSurface(QWidget):
 
     def _paint_frame(self) -> None:
         """Picture, marks, rulers, cursor and tag."""
-        scene = replace(self.scene(), layers=self._layers)
+        scene = self.scene()
         area, unit = scene.area, scene.unit
         still = scene.overlay.still
         if still is None:
             self._kept = None
             self._frame.fill(QColor(scene.tokens.window))
             painter = QPainter(self._frame)
-            paint_scene(painter, self._picture, scene)
+            paint_scene(painter, self._picture, replace(scene, layers=self._layers))
+            self._end_layers()
         else:
             painter = QPainter(self._frame)
             painter.drawImage(0, 0, self._still_frame(scene, still))
             paint_over(painter, scene)
-        if self._layers.end_frame():
-            QTimer.singleShot(0, self, self.repaint_soon)
         self._rulers.paint(painter, scene, self._cursor or self._hover)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
         if self._pointed is not None:
@@ -343,11 +342,21 @@ class CanvasSurface(QWidget):
             image = QImage(self._frame.size(), self._frame.format())
             image.fill(QColor(scene.tokens.window))
             painter = QPainter(image)
-            paint_scene(painter, self._picture, replace(scene, overlay=Overlay(drawn=still.drawn)))
+            layered = replace(scene, overlay=Overlay(drawn=still.drawn), layers=self._layers)
+            paint_scene(painter, self._picture, layered)
             paint_over(painter, replace(scene, overlay=Overlay(handles=still.handles)))
             painter.end()
+            if self._end_layers():
+                return image
             self._kept = key, image
         return self._kept[1]
+
+    def _end_layers(self) -> bool:
+        """Whether the lines that were just painted are not yet all of them; another frame has more."""
+        grow = self._layers.end_frame()
+        if grow:
+            QTimer.singleShot(0, self, self.repaint_soon)
+        return grow
 
     def scene(self) -> Scene:
         """What is painted now."""
