@@ -7,10 +7,10 @@ from msgspec.structs import replace
 from workbench.algorithms import curves as texts
 from workbench.document.model import Circle, Curve, CurvePoint, Line, WorldPoint
 from workbench.document.samples.examples import blank_sheet
+from workbench.memory import forget
 from workbench.panels.stage import outline as outlining
 from workbench.rendering import curves
 from workbench.rendering.curves import polyline_of, polylines_of
-from workbench.rendering.memory import forget
 
 SPLINES = "bezier_path", "bezier", "b_spline", "nurbs", "catmull_rom", "natural_cubic", "cardinal"
 

@@ -10,8 +10,8 @@ from workbench.algorithms import catalogue
 from workbench.document.edits import add_figure
 from workbench.document.model import SeedFill, WorldPoint
 from workbench.document.samples.examples import blank_sheet
+from workbench.memory import forget
 from workbench.rendering import emissions, frame_buffer, raster
-from workbench.rendering.memory import forget
 
 SLUGS = [entry.slug for entry in catalogue.entries() if entry.at_once is not None]
 pictures = arrays.arrays(

@@ -70,7 +70,7 @@ def edited(session: Any) -> str:
 def holdings() -> Holdings:
     """What the process holds now; caches that have a bound are emptied, garbage is collected, and what was
     freed is given back."""
-    from workbench.rendering import memory
+    from workbench import memory
 
     caches = _caches()
     kept = sum(cache.cache_info().currsize for cache in caches)

@@ -9,8 +9,8 @@ from tests.soak.holdings import edited, holdings
 from workbench.algorithms.catalogue import get
 from workbench.document.model import Rectangle, View
 from workbench.engine import compiled
+from workbench.memory import Memory
 from workbench.rendering.mapping import view_map
-from workbench.rendering.memory import Memory
 from workbench.session.session import Session
 
 

@@ -61,6 +61,11 @@ class Faces:
         return np.diff(self.ends, prepend=0)
 
     @property
+    def triangle_count(self) -> int:
+        """How many triangles the faces are cut into."""
+        return len(self.corners) - 2 * len(self)
+
+    @property
     def following(self) -> Index:
         """For each corner (k,) the vertex of the corner after it in its face, round to the first again."""
         after = np.arange(1, len(self.corners) + 1)
@@ -83,6 +88,11 @@ class Mesh(NamedTuple):
 
     vertices: Array
     faces: Faces
+
+    @property
+    def arrays(self) -> tuple[Array, Index, Index]:
+        """All that it is kept in."""
+        return self.vertices, self.faces.corners, self.faces.ends
 
 
 def edges_of(mesh: Mesh) -> Index:

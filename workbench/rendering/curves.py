@@ -10,8 +10,8 @@ from workbench.algorithms import curves
 from workbench.algorithms.curves import Pieces
 from workbench.document.curves.pieces import fault_of, pieces_of
 from workbench.document.model import Curve, Sheet
+from workbench.memory import Memory
 from workbench.rendering.mapping import PlaneMap, figure_map
-from workbench.rendering.memory import Memory
 from workbench.rendering.rounds import Round, pieces_of_round
 
 Array = NDArray[np.float64]

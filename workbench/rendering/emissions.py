@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from workbench.engine.at_hand import at_hand
 from workbench.engine.limited import collect_limited
+from workbench.memory import Memory
 from workbench.rendering.mapping import Call
-from workbench.rendering.memory import Memory
 
 Emitted = NDArray[np.float64] | NDArray[np.int64]
 

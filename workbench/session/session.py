@@ -20,7 +20,7 @@ from workbench.document.state import SessionState, at_the_start, check_state, cl
 from workbench.document.storage.files import Stored, read, write
 from workbench.document.subjects import Position, Subject
 from workbench.language import _
-from workbench.rendering.memory import forget
+from workbench.memory import forget
 from workbench.rendering.subjects.registry import checked, kind_of
 from workbench.session.ahead import Ahead
 from workbench.session.following import Following

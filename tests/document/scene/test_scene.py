@@ -21,6 +21,7 @@ from workbench.document.identities import ids
 from workbench.document.model import Document
 from workbench.document.samples.examples import blank_sheet
 from workbench.document.scene import edits as scene_edits
+from workbench.document.scene import laws
 from workbench.document.scene.links import AnyLink3D, Rotate3D, Scale3D, Translate3D
 from workbench.document.scene.meshes import blob_of, mesh_of
 from workbench.document.scene.model import Camera, Light, Material, Object, Point3D, Scene
@@ -339,3 +340,27 @@ def test_a_named_view_that_sees_nothing_is_refused() -> None:
     document = replace(document, sheets=(replace(document.sheets[0], scene=full),))
     with pytest.raises(DocumentError, match="named_views"):
         scene_edits.add_named_view(SHEET, Camera(), "one more")(check(document))
+
+
+def test_a_scene_has_only_so_many_triangles_in_all(monkeypatch: pytest.MonkeyPatch) -> None:
+    ball = Object("", Sphere(slices=10, stacks=5), "", "ball")  # 80: two caps of 10, and 3 rings of 10 quads
+    mesh = Object("", MeshSolid(blob_of(solids.box(1, 1, 1))), "", "mesh")  # 12
+    monkeypatch.setattr(laws, "MOST_TRIANGLES", 80 + 12 + 80)
+    document = blank_sheet()
+    for thing in (ball, mesh, ball):
+        document = scene_edits.add_object(SHEET, thing)(document)
+    assert [thing.triangle_count for thing in scene_of(document).objects] == [80, 12, 80]
+    file = encode(Stored(document))
+    assert decode(file).document == document
+    first = scene_of(document).objects[0].id
+    for edit in (
+        scene_edits.add_object(SHEET, mesh),
+        edits.set_attribute(f"{SHEET}/{first}/solid.slices", 11),
+    ):
+        with pytest.raises(DocumentError, match=r"objects has 18[04] triangles in all, but .* at most 172;"):
+            edit(document)
+    monkeypatch.setattr(laws, "MOST_TRIANGLES", 171)
+    with pytest.raises(DocumentError, match="has 172 triangles in all"):
+        decode(file)
+    fewer = edits.set_attribute(f"{SHEET}/{first}/solid.slices", 9)(document)
+    assert scene_of(fewer).objects[0].triangle_count == 72

@@ -11,6 +11,10 @@ from workbench.document.transforms.chains import LARGEST
 from workbench.language import _
 
 
+MOST_TRIANGLES = 1_500_000
+"""In a scene: of more, drawing takes over 500 MB."""
+
+
 def _reason(error: ValueError) -> str:
     sentence = str(error).rstrip(".")
     return sentence[:1].lower() + sentence[1:]  # it goes on with another
@@ -38,13 +42,33 @@ def _chain(thing: Object, _before: Any) -> Fault | None:
 def _solid(thing: Object, before: Object | None) -> Fault | None:
     if before is not None and before.solid is thing.solid and before.points is thing.points:
         return None
-    if isinstance(thing.solid, MeshSolid) and isinstance(thing.solid.content, Named):
-        return None  # its content is yet to come
+    if _is_to_come(thing):
+        return None
     try:
         _mesh = thing.mesh
     except ValueError as error:
         return "solid", _("cannot be made ({reason})").format(reason=_reason(error))
     return None
+
+
+def _is_to_come(thing: Object) -> bool:
+    """Whether its mesh is named, and not there yet."""
+    return isinstance(thing.solid, MeshSolid) and isinstance(thing.solid.content, Named)
+
+
+def _triangles(scene: Scene, before: Scene | None) -> Fault | None:
+    if before is not None and len(before.objects) == len(scene.objects):
+        pairs = zip(before.objects, scene.objects, strict=True)
+        if all(old.solid is new.solid and old.points is new.points for old, new in pairs):
+            return None
+    count = sum(thing.triangle_count for thing in scene.objects if not _is_to_come(thing))
+    if count <= MOST_TRIANGLES:
+        return None
+    problem = _(
+        "has {count:,} triangles in all, but a scene can have at most {most:,}; remove an object, or give "
+        "one fewer faces"
+    )
+    return "objects", problem.format(count=count, most=MOST_TRIANGLES)
 
 
 def _camera(camera: Camera, _before: Any) -> Fault | None:
@@ -72,5 +96,5 @@ def _materials(scene: Scene, _before: Any) -> Fault | None:
 LAWS: dict[type, tuple[Callable[[Any, Any], Fault | None], ...]] = {
     Object: (_points, _chain, _solid),
     Camera: (_camera,),
-    Scene: (_materials,),
+    Scene: (_materials, _triangles),
 }

@@ -1,7 +1,5 @@
 """Meshes as the bytes that a document keeps, equal where their content is."""
 
-from functools import lru_cache
-
 import numpy as np
 
 from workbench.document.errors import DocumentError
@@ -47,7 +45,6 @@ def _bytes_of(mesh: Mesh) -> bytes:
     )
 
 
-@lru_cache(maxsize=64)
 def mesh_of(blob: Blob) -> Mesh:
     """The mesh of some bytes, read-only. Raises: ValueError, a sentence, where they are none."""
     refusal = ValueError(_("The content is not a mesh, or it is damaged; open another copy."))

@@ -1,5 +1,6 @@
 """The scene of a sheet: objects, materials, lights and a camera, in a right-handed world, y up."""
 
+from functools import cached_property
 from typing import Annotated, ClassVar
 
 import msgspec
@@ -87,6 +88,11 @@ class Object(
     def mesh(self) -> Mesh:
         """Its faces as polygons, in coordinates of its own. Raises: ValueError, a sentence."""
         return mesh_over(self.solid, self.points)
+
+    @cached_property
+    def triangle_count(self) -> int:
+        """How many triangles its faces are cut into. Raises: ValueError, a sentence."""
+        return self.mesh.faces.triangle_count
 
 
 class Material(

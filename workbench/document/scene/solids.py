@@ -3,7 +3,7 @@
 What makes them is imported when one is made: few pictures have any, and the first frame waits for this.
 """
 
-from functools import lru_cache
+from functools import partial
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 
 import msgspec
@@ -15,6 +15,7 @@ from workbench.document.scene.meshes import mesh_of
 from workbench.document.storage.blobs import Blob
 from workbench.geometry.meshes import Faces, Mesh
 from workbench.language import _
+from workbench.memory import Memory
 
 if TYPE_CHECKING:
     from workbench.algorithms.surfaces import Patches
@@ -304,7 +305,9 @@ AnySolid = (
 )
 
 
-@lru_cache(maxsize=256)
+_meshes: Memory[Mesh] = Memory(128 * 2**20, lambda mesh: mesh.arrays)
+
+
 def mesh_over(solid: Solid, points: "tuple[SpacePoint, ...]") -> Mesh:
     """The mesh of a solid over the points of its object, made once. Raises: ValueError, a sentence."""
-    return solid.mesh(points)
+    return _meshes.get((solid, points), partial(solid.mesh, points))

@@ -14,9 +14,9 @@ from workbench.document.model import AnyFigure, Circle, Ellipse, Line, Polyline,
 from workbench.document.model import Curve as CurveFigure
 from workbench.geometry.conventions import round_half_up
 from workbench.geometry.distance import polyline_distance
+from workbench.memory import Memory
 from workbench.rendering import figure_map, painter_of
 from workbench.rendering.display_list import seen_segments
-from workbench.rendering.memory import Memory
 from workbench.rendering.pipeline import fills
 from workbench.widgets.canvas.overlay import Handle
 

@@ -15,11 +15,11 @@ from workbench.algorithms.transforms import Matrix
 from workbench.document.model import AnyFigure, Line, Polygon, Polyline, Rectangle, Sheet, View
 from workbench.document.transforms.chains import is_singular, transformed
 from workbench.document.transforms.stages import Stage, products, stages
+from workbench.memory import Memory
 from workbench.panels.stage.outline import outline
 from workbench.panels.transform.told import place_text
 from workbench.rendering.extent import world_extent
 from workbench.rendering.mapping import DeviceMap, device_map
-from workbench.rendering.memory import Memory
 from workbench.widgets.canvas.drawing import Drawn, Marker, Pattern, PenStroke, Tint
 
 Points = NDArray[np.float64]

@@ -13,6 +13,7 @@ from workbench.document.scene.model import Camera, Light, Material, Object, Scen
 from workbench.document.scene.solids import mesh_over
 from workbench.geometry.meshes import Array, Faces, Index, Mesh, triangulated
 from workbench.language import _
+from workbench.memory import Memory
 from workbench.rendering.scene import methods
 from workbench.rendering.scene.lasting import Lasting
 from workbench.rendering.scene.methods import picture_by
@@ -42,6 +43,9 @@ METHODS: dict[str, Callable[..., Picture]] = {
 """How hidden surfaces are found, by slug: from device triangles, their colours and the size."""
 
 SHADINGS = (QUICK, *LIT_SHADINGS)
+
+_MOST_OF_TWO = 300_000
+"""So many triangles has a scene at most whose parts are kept beside those of another one."""
 
 _MESH_MATERIAL = Material("mesh")
 
@@ -94,6 +98,8 @@ def placed(scene: Scene) -> tuple[Part, ...]:
 def _placed(objects: tuple[Object, ...], materials: tuple[Material, ...]) -> tuple[Part, ...]:
     of_id = {material.id: material for material in materials}
     seen = [thing for thing in objects if thing.visible]
+    if sum(len(_cut_up(thing.solid, thing.points)[0]) for thing in seen) > _MOST_OF_TWO:
+        _placed.cache_clear()  # before this one takes as much again
     parts = [(*_in_world(thing), of_id[thing.material]) for thing in seen]
     return tuple((*part, Lasting(part[0])) for part in parts)
 
@@ -110,9 +116,11 @@ def _in_world(thing: Object) -> tuple[Mesh, tuple[Index, Index]]:
     return Mesh(moved, faces), (triangles, owners)
 
 
-@lru_cache(maxsize=64)
+_triangles: Memory[tuple[Index, Index]] = Memory(128 * 2**20)
+
+
 def _cut_up(solid: Any, points: Any) -> tuple[Index, Index]:
-    return triangulated(*mesh_over(solid, points))
+    return _triangles.get((solid, points), lambda: triangulated(*mesh_over(solid, points)))
 
 
 def _rendered(

@@ -16,10 +16,12 @@ MOST_AROUND = 4_096
 """Where more corners meet each has the normal of its own face: there each would be held against each."""
 
 _PLACES = 9
+_UNIT = 10**_PLACES  # what a component of 1 is kept as: two thirds of the memory of a fine mesh were normals
+_UNKNOWN = np.iinfo(np.int32).min
 _AT_ONCE = 1 << 14  # triangles: what is worked out on the way takes little memory
 _PAIRS = 1 << 16  # of a corner and a face around it
 
-Short = NDArray[np.int32]
+Index32 = NDArray[np.int32]
 
 
 class CornerNormals:
@@ -33,38 +35,40 @@ class CornerNormals:
     def __init__(self, mesh: Mesh, triangles: Index, owners: Index) -> None:
         around = _Around.of(mesh)
         places = len(around.begins) - 1
-        self._of_place = np.full((places, 3), np.nan)
+        self._of_place = np.full((places, 3), _UNKNOWN, np.int32)
         self._numbers = np.empty((len(triangles), 3), np.int32)
-        others = np.empty((triangles.size, 3))  # of which only what is written takes memory
+        others = np.empty((triangles.size, 3), np.int32)  # of which only what is written takes memory
         count = 0
         for first, end in around.shares(triangles):
-            normals = around.normals(triangles[first:end], owners[first:end])
+            unit = around.normals(triangles[first:end], owners[first:end])
+            normals = np.rint(unit * _UNIT).astype(np.int32)  # without noise, and without -0
             here = around.place[triangles[first:end]].ravel()
-            new = np.isnan(self._of_place[here, 0])
+            new = self._of_place[here, 0] == _UNKNOWN
             self._of_place[here[new]] = normals[new]
             other = (self._of_place[here] != normals).any(axis=1)
-            found = normals[other]
-            here[other] = places + count + np.arange(len(found))
-            others[count : count + len(found)] = found
+            after = count + int(other.sum())
+            here[other] = places + np.arange(count, after)
+            others[count:after] = normals[other]
             self._numbers[first:end] = here.reshape(-1, 3)
-            count += len(found)
+            count = after
         self._others = others[:count]
 
     def of(self, first: int, end: int) -> Array:
         """Those (end - first, 3, 3) of some triangles."""
         numbers, places = self._numbers[first:end], len(self._of_place)
         is_other = numbers >= places
-        normals: Array = self._of_place[np.where(is_other, 0, numbers)]
+        normals = self._of_place[np.where(is_other, 0, numbers)]
         normals[is_other] = self._others[numbers[is_other] - places]
-        return normals
+        unit: Array = normals / _UNIT
+        return unit
 
 
 class _Around(NamedTuple):
     """The place of each vertex (n,); the faces around each place, one place after the other, and where in
     that list each begins (p + 1,); the normals of the faces (m, 3), as long as twice their areas."""
 
-    place: Short
-    faces: Short
+    place: Index32
+    faces: Index32
     begins: Index
     face_normals: Array
 
@@ -99,10 +103,10 @@ class _Around(NamedTuple):
         smooth = (_unit(weighted) * own[of]).sum(axis=1) >= cos(radians(CREASE_DEGREES))
         of, weighted = of[smooth], weighted[smooth]
         sums = [np.bincount(of, weights=column, minlength=len(corners)) for column in weighted.T]
-        found = np.stack(sums, axis=1)
-        sizes = np.sqrt((found * found).sum(axis=1, keepdims=True))
-        spread: Array = np.where(sizes > 0, found / np.where(sizes > 0, sizes, 1.0), own)
-        return spread.round(_PLACES) + 0.0  # without noise, and without -0
+        total = np.stack(sums, axis=1)
+        sizes = np.sqrt((total * total).sum(axis=1, keepdims=True))
+        spread: Array = np.where(sizes > 0, total / np.where(sizes > 0, sizes, 1.0), own)
+        return spread
 
 
 def _unit(normals: Array) -> Array:
@@ -112,7 +116,7 @@ def _unit(normals: Array) -> Array:
     return unit
 
 
-def _places(vertices: Array) -> Short:
+def _places(vertices: Array) -> Index32:
     """For each vertex (n,) the number of its place."""
     columns = vertices.round(_PLACES).T
     order = np.lexsort(columns)
@@ -124,7 +128,7 @@ def _places(vertices: Array) -> Short:
     return numbers
 
 
-def _faces_around(place: Short, faces: Faces) -> tuple[Short, Index]:
+def _faces_around(place: Index32, faces: Faces) -> tuple[Index32, Index]:
     """The faces around each place, one place after the other, and where in that list each begins (p + 1,)."""
     corners = place[faces.corners]
     count = int(place.max(initial=-1)) + 1

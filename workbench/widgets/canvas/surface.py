@@ -338,23 +338,21 @@ class CanvasSurface(QWidget):
     def _still_frame(self, scene: Scene, still: Still) -> QImage:
         """The picture under what stays; painted anew only when one of them or the view is another."""
         key = still, self._picture, scene.view, scene.tokens, self._frame.size()
-        if self._kept is None or self._kept[0] != key:
-            image = QImage(self._frame.size(), self._frame.format())
-            image.fill(QColor(scene.tokens.window))
-            painter = QPainter(image)
-            layered = replace(scene, overlay=Overlay(drawn=still.drawn), layers=self._layers)
-            paint_scene(painter, self._picture, layered)
-            paint_over(painter, replace(scene, overlay=Overlay(handles=still.handles)))
-            painter.end()
-            if self._end_layers():
-                return image
-            self._kept = key, image
-        return self._kept[1]
+        if self._kept is not None and self._kept[0] == key:
+            return self._kept[1]
+        image = QImage(self._frame.size(), self._frame.format())
+        image.fill(QColor(scene.tokens.window))
+        painter = QPainter(image)
+        layered = replace(scene, overlay=Overlay(drawn=still.drawn), layers=self._layers)
+        paint_scene(painter, self._picture, layered)
+        paint_over(painter, replace(scene, overlay=Overlay(handles=still.handles)))
+        painter.end()
+        self._kept = None if self._end_layers() else (key, image)
+        return image
 
     def _end_layers(self) -> bool:
         """Whether the lines that were just painted are not yet all of them; another frame has more."""
-        grow = self._layers.end_frame()
-        if grow:
+        if grow := self._layers.end_frame():
             QTimer.singleShot(0, self, self.repaint_soon)
         return grow
 

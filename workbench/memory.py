@@ -9,19 +9,29 @@ from weakref import WeakSet
 
 from numpy.typing import NDArray
 
-T = TypeVar("T", bound=NDArray[Any] | tuple[NDArray[Any], ...])
+T = TypeVar("T")
 
 _BESIDE = 600
-"""Bytes that each takes beside its numbers: its key, and its place here."""
+"""Bytes that each array takes beside its numbers: its key, and its place here."""
 
 
 _memories: "WeakSet[Memory[Any]]" = WeakSet()
 
 
-class Memory(Generic[T]):
-    """Arrays, or tuples of them, by key: read-only, no larger than ``most_bytes``, for several threads."""
+def _arrays_of(value: Any) -> Iterable[NDArray[Any]]:
+    return value if isinstance(value, tuple) else (value,)
 
-    def __init__(self, most_bytes: int) -> None:
+
+class Memory(Generic[T]):
+    """Arrays, or tuples of them, by key: read-only, no larger than ``most_bytes``, for several threads.
+
+    ``arrays_of`` gives those of any other value. The last one stays, whatever its size.
+    """
+
+    def __init__(
+        self, most_bytes: int, arrays_of: Callable[[T], Iterable[NDArray[Any]]] = _arrays_of
+    ) -> None:
+        self._arrays_of = arrays_of
         self._most = most_bytes
         self._kept: OrderedDict[Hashable, T] = OrderedDict()
         self._bytes = 0
@@ -36,15 +46,15 @@ class Memory(Generic[T]):
                 self._kept.move_to_end(key)
                 return kept
         new = make()
-        for array in _arrays(new):
+        for array in self._arrays_of(new):
             array.setflags(write=False)
         with self._lock:
             if key in self._kept:  # another thread was faster
-                self._bytes -= _size(self._kept[key])
+                self._bytes -= self._size(self._kept[key])
             self._kept[key] = new
-            self._bytes += _size(new)
+            self._bytes += self._size(new)
             while self._bytes > self._most and len(self._kept) > 1:
-                self._bytes -= _size(self._kept.popitem(last=False)[1])
+                self._bytes -= self._size(self._kept.popitem(last=False)[1])
         return new
 
     def get_all(self, keys: Sequence[Hashable], make: Callable[[list[int]], Iterable[T]]) -> list[T]:
@@ -61,6 +71,9 @@ class Memory(Generic[T]):
             for k, value in enumerate(kept)
         ]
 
+    def _size(self, value: T) -> int:
+        return sum(array.nbytes + _BESIDE for array in self._arrays_of(value))
+
     def clear(self) -> None:
         """Forget all."""
         with self._lock:
@@ -72,11 +85,3 @@ def forget() -> None:
     """Forget what every memory keeps, as when the document that it was made of is closed."""
     for memory in list(_memories):
         memory.clear()
-
-
-def _arrays(value: NDArray[Any] | tuple[NDArray[Any], ...]) -> tuple[NDArray[Any], ...]:
-    return value if isinstance(value, tuple) else (value,)
-
-
-def _size(value: NDArray[Any] | tuple[NDArray[Any], ...]) -> int:
-    return sum(array.nbytes + _BESIDE for array in _arrays(value))

@@ -6,8 +6,8 @@ from hypothesis import strategies as st
 from pytestqt.qtbot import QtBot
 
 from workbench.document.samples.examples import example_document
+from workbench.memory import Memory, forget
 from workbench.rendering.emissions import _memory
-from workbench.rendering.memory import Memory, forget
 from workbench.rendering.raster import emitted, figure_calls
 from workbench.session.session import Session
 
