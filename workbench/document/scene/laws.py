@@ -10,7 +10,6 @@ from workbench.document.storage.blobs import Named
 from workbench.document.transforms.chains import LARGEST
 from workbench.language import _
 
-
 MOST_TRIANGLES = 1_500_000
 """In a scene: of more, drawing takes over 500 MB."""
 
