@@ -34,7 +34,7 @@ from random import Random
 from statistics import median
 from typing import Any, TextIO
 
-from PySide6.QtCore import QEvent, QObject, QThread, QTimer, QtMsgType, qInstallMessageHandler
+from PySide6.QtCore import QEvent, QObject, QSize, QThread, QTimer, QtMsgType, qInstallMessageHandler
 from PySide6.QtGui import QDrag
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox
@@ -188,12 +188,17 @@ class Monkey(QObject):
         weights = edited(self._window.session)
         self._window.session.new()
         self._window.views.together()
-        self._window.showNormal()
-        QTest.qWait(_REST_MS)  # until the window manager has done so, it would take back the size
-        self._window.resize(*SIZE)
-        QTest.qWait(_REST_MS)
-        choose_theme(self._window, "system")
+        for _attempt in range(10):
+            self._window.showNormal()
+            QTest.qWait(_REST_MS)  # until the window manager has done so, it would take back the size
+            self._window.resize(*SIZE)
+            QTest.qWait(_REST_MS)
+            if self._window.size() == QSize(*SIZE):
+                break
         choose_type(self._window, large=False)
+        for theme in ("dark", "light", "system"):  # Qt keeps rules of all states that each widget was seen in
+            choose_theme(self._window, theme)
+            QTest.qWait(_REST_MS)
         for each in (*workspaces(), workspaces()[0]):  # each keeps what it showed until it is entered
             self._window.go(each.slug)
             QTest.qWait(_REST_MS)
