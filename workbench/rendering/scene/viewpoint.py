@@ -114,8 +114,8 @@ class Viewpoint(NamedTuple):
 
 
 def _clipped(points: Array, triangles: Index, planes: Array) -> tuple[Array, Index, Index]:
-    """As ``clip_triangles``, without what is too near the eye; of many triangles only those are copied more
-    than once that a plane cuts."""
+    """As ``clip_triangles``, which copies all that it gets at each plane, so that it gets only what a plane may
+    cut; and without what is too near the eye."""
     outside = [points @ plane < 0 for plane in planes]
     too_near = points[:, 3] <= LEAST_W
     asked, gone = np.empty(len(triangles), bool), np.zeros(len(triangles), bool)
@@ -133,7 +133,7 @@ def _clipped(points: Array, triangles: Index, planes: Array) -> tuple[Array, Ind
     counts[asked] = np.bincount(cut_owners[good], minlength=int(asked.sum()))
     owners = np.repeat(np.arange(len(triangles)), counts)
     parts = triangles[owners]
-    parts[asked[owners]] = cut[good]
+    parts[asked[owners]] = cut[good]  # both in the order of the triangles
     return points, parts, owners
 
 
