@@ -207,9 +207,6 @@ def _percent(scale: float) -> str:
 def _with_edit(document: Document, sheet: str, result: Any) -> tuple[Imported, Edit]:
     """A drawing, and the edit that brings it onto the sheet, which for a large one takes its time.
 
-    Raises: ValueError with one sentence.
+    Raises: DocumentError.
     """
-    try:
-        return result, foreseen(add_drawing(sheet, result.figures, result.palette), document)
-    except DocumentError as problem:
-        raise ValueError(problem.short) from None
+    return result, foreseen(add_drawing(sheet, result.figures, result.palette), document)
