@@ -164,7 +164,9 @@ def test_what_takes_long_says_so_meanwhile(
     told: list[str] = []
     monkeypatch.setattr(rendering, "render_mesh", slow)
     assert main(("render", "house.obj", "-o", "a.png", "--size", "80x60", "--visibility", "painter")) == 0
-    assert told == ["Still drawing with painter; this may take minutes. depth_buffer is the fastest method.\n"]
+    assert told == [
+        "Still drawing with painter; this may take minutes. depth_buffer is the fastest method.\n"
+    ]
     assert pixels("a.png").any()
 
 
