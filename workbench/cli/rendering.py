@@ -64,7 +64,9 @@ def render_model(options: argparse.Namespace) -> str:
             window = seen.window or window_around(segments.reshape(-1, 2), size)
             outputs.write(row, (segments, window, size), options.output)
         if row.kind == "picture" or depth_row:
-            meanwhile = _("Still drawing with {method}; this may take minutes. {fastest} is the fastest method.")
+            meanwhile = _(
+                "Still drawing with {method}; this may take minutes. {fastest} is the fastest method."
+            )
             if options.visibility == depth_buffer.__name__:
                 meanwhile = _("Still drawing; a smaller size is faster.")
             meanwhile = meanwhile.format(method=options.visibility, fastest=depth_buffer.__name__)
