@@ -11,7 +11,7 @@ _NUMBER = re.compile(r"(?<=\S) ([0-9]{1,3})\Z")  # a longer one is a year, or ot
 
 
 def free_name(name: str, taken: Collection[str]) -> str:
-    """``name``, or where it is taken, with the first number that makes it another; one at its end counts on."""
+    """``name``, or where it is taken, with the first number that makes it another, from its own on."""
     if name not in taken:
         return name
     plain, number = _parted(name)
@@ -30,7 +30,7 @@ def name_of_copy(name: str, taken: Collection[str]) -> str:
 
 
 def first_free(templates: Iterable[str], taken: Collection[str], name: str = "") -> str:
-    """The first of ``templates`` that is not taken, each filled with as much of ``name`` as has room in it."""
+    """The first of ``templates`` that is not taken, each filled with as much of ``name`` as has room."""
     filled = (
         template.format(name=name[: MAX_NAME - len(template.format(name=""))].rstrip())
         for template in templates

@@ -9,8 +9,8 @@ from workbench.language import _, ngettext
 MOST_VERTICES = MOST_FACES = 4_000_000
 
 Refuse = Callable[[int | None, int], None]
-"""Given how many vertices, None where a file lists triangles with their corners, and faces a file has; raises ValueError, a sentence,
-where those are too many."""
+"""Given how many vertices and faces a file has, or None and its triangles where it lists these.
+Raises ValueError, a sentence, where those are too many."""
 
 
 def refuse_counts(vertices: int | None, faces: int) -> None:

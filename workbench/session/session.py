@@ -139,9 +139,9 @@ class Session(QObject):
     def apply(self, edit: Edit, name: str, merge: str = "", on: Document | None = None) -> None:
         """Do ``edit`` in the frame that is shown, as one step of undo called ``name``.
 
-        It is done to the document, or to ``on``, the one with which a drag began. Edits with the same ``merge``
-        token become one step, until ``end_merge`` or any other edit. Raises DocumentError, and everything is
-        untouched.
+        It is done to the document, or to ``on``, the one with which a drag began. Edits with the same
+        ``merge`` token become one step, until ``end_merge`` or any other edit. Raises DocumentError with
+        everything untouched.
         """
         old = self.document
         new = self.frames.edited(edit)(on or old)
