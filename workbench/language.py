@@ -14,6 +14,7 @@ _ = _translation.gettext
 ngettext = _translation.ngettext
 
 LONGEST_NAME = 60
+_LEAST = 1e-300  # not far below it the step between two such bounds is no normal number, or 0
 
 
 def legible(name: str, most: int = LONGEST_NAME) -> str:
@@ -29,7 +30,7 @@ def reason_of(error: Exception) -> str:
 
 def at_most(value: float) -> str:
     """A bound of two figures, rounded up, so that what is said to be at most so much is."""
-    if not 1e-300 < value < math.inf:
+    if not _LEAST < value < math.inf:
         return f"{value:.2g}"
     step = 10.0 ** (math.floor(math.log10(value)) - 1)
     return f"{math.ceil(value / step - 1e-9) * step:.2g}"

@@ -190,7 +190,7 @@ def test_what_is_counted_beside_is_a_block_of_the_text() -> None:
 
     for entry in ENTRIES:
         titles = {block.title for text in texts_of(entry.function) for block in blocks(text.function)}
-        for beginning in itertools.chain(*entry.counted.values()):
+        for beginning in itertools.chain(*(each.blocks for each in entry.counted.values())):
             assert any(title.startswith(beginning) for title in titles)
 
 

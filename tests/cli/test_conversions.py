@@ -66,7 +66,7 @@ def test_points_become_a_curve(capsys: pytest.CaptureFixture[str], folder: Path)
     rows = [f"{x:.4f};{y:.4f}" for x, y in zip(20 * turn, 9 * np.sin(turn), strict=True)]
     (folder / "points.csv").write_text("\n".join(["x;y", *rows]))
     said = printed(capsys, "convert", "points.csv", "-o", "curve.svg", "--tolerance", "0.05")
-    assert "Bézier pieces pass 60 points within 0.0" in said
+    assert "Bézier pieces pass within 0.0" in said
     sheet = example_document().sheets[0]
     (curve,) = read_svg((folder / "curve.svg").read_text(), sheet).figures
     assert isinstance(curve, Curve)
@@ -77,7 +77,7 @@ def test_points_near_the_end_of_the_world_become_a_curve(
     capsys: pytest.CaptureFixture[str], folder: Path
 ) -> None:
     (folder / "far.csv").write_text("999999,0\n1000000,999999\n999000,5\n")
-    assert "pass exactly through 3 points" in printed(capsys, "convert", "far.csv", "-o", "far.gwb")
+    assert "pass exactly through all 3 points" in printed(capsys, "convert", "far.csv", "-o", "far.gwb")
     assert load(folder / "far.gwb").sheets[0].first_view.window_world.xmax == 1_000_000
 
 

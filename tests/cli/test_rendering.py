@@ -1,5 +1,9 @@
 """render: meshes and scenes as pictures, and the one line that says what is wrong."""
 
+import signal
+import subprocess
+import sys
+import time
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +18,7 @@ from workbench.algorithms import solids
 from workbench.cli import rendering, waiting
 from workbench.document import load, save
 from workbench.document.samples.examples import example_document
+from workbench.engine.background import PATIENCE_S
 from workbench.exchange.mesh_reading import read_mesh
 from workbench.exchange.meshes import obj, ply, stl
 from workbench.rendering import render_scene
@@ -159,10 +164,37 @@ def test_what_takes_long_says_so_meanwhile(
     told: list[str] = []
     monkeypatch.setattr(rendering, "render_mesh", slow)
     assert main(("render", "house.obj", "-o", "a.png", "--size", "80x60", "--visibility", "painter")) == 0
-    assert told == ["Still drawing by painter, which may take minutes; depth_buffer is the quickest.\n"]
+    assert told == [
+        "Still drawing with painter; this may take minutes. depth_buffer is the fastest method.\n"
+    ]
     assert pixels("a.png").any()
 
 
 def test_what_fails_beside_is_told_here(capsys: pytest.CaptureFixture[str], folder: Path) -> None:
     with pytest.raises(ZeroDivisionError):
         waiting.telling(lambda: 1 // 0, "")
+
+
+ENDLESS = """
+import ctypes
+import workbench.cli.waiting as waiting
+waiting.AFTER_S = 0.0
+waiting.telling(lambda: ctypes.CDLL(None).sleep(60), "begun")  # as deaf as compiled code
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="sends the signal of POSIX")
+def test_ctrl_c_ends_at_once_what_cannot_be_stopped() -> None:
+    process = subprocess.Popen(
+        [sys.executable, "-c", ENDLESS],
+        stderr=subprocess.PIPE,
+        # What is started in the background of a shell would not hear it
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
+    )
+    with process:
+        assert process.stderr is not None
+        assert process.stderr.readline() == b"begun\n"
+        begun = time.monotonic()
+        process.send_signal(signal.SIGINT)
+        assert process.wait(30) == 130
+        assert time.monotonic() - begun < PATIENCE_S / 2

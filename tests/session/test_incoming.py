@@ -3,6 +3,7 @@
 import pytest
 from pytestqt.qtbot import QtBot
 
+from workbench.document.errors import DocumentError
 from workbench.exchange.reading import Job, Result
 from workbench.session.incoming import Incoming
 
@@ -28,6 +29,19 @@ def test_a_failure_of_the_program_is_told_and_the_next_one_works(qtbot: QtBot, e
         incoming.read(MANY, "many", taken.append, refused.append)
     assert len(taken[0]) == 9000
     assert len(refused) == 1
+
+
+@pytest.mark.parametrize("job", [MANY, Job("points", content=b"1 2")])
+def test_why_a_document_refuses_it_is_said_without_the_path_of_a_field(qtbot: QtBot, job: Job) -> None:
+    incoming = Incoming()
+    refused: list[str] = []
+
+    def refuse(_result: Result) -> Result:
+        raise DocumentError("sheets[1].name", "sheets[1].name is too long.", "The name is too long.")
+
+    incoming.read(job, "points", lambda _result: None, refused.append, refuse)
+    qtbot.waitUntil(lambda: bool(refused), timeout=20_000)
+    assert refused == ["The name is too long."]
 
 
 def test_a_refusal_is_no_failure(qtbot: QtBot) -> None:

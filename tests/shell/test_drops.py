@@ -1,5 +1,7 @@
 """Files dropped on the window, as another program sends them."""
 
+import gc
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -12,8 +14,8 @@ from pytestqt.qtbot import QtBot
 from tests.shell.conftest import leave
 from workbench.document import save
 from workbench.document.model import Curve
-from workbench.document.samples.examples import example_document
-from workbench.document.sheet_edits import rename_sheet
+from workbench.document.samples.examples import blank_sheet, example_document
+from workbench.document.sheet_edits import add_sheet, rename_sheet
 from workbench.session.session import Session
 from workbench.shell.settings import Settings
 from workbench.shell.start import make_window
@@ -58,6 +60,10 @@ def drop(window: MainWindow, *paths: Path) -> bool:
     assert dropped.dropAction() == COPY
     QApplication.processEvents()
     return True
+
+
+def is_error(window: MainWindow) -> bool:
+    return "Error" in [each.accessibleName() for each in window.messages.findChildren(QWidget)]
 
 
 def curves(window: MainWindow) -> list[Curve]:
@@ -129,6 +135,26 @@ def test_undo_of_something_else_leaves_what_was_said(window: MainWindow, tmp_pat
     assert window.messages.text == ""
 
 
+def test_what_was_said_of_a_step_does_not_keep_its_documents(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path
+) -> None:
+    session = window.session
+    (tmp_path / "points.csv").write_text("1,2\n30,20\n")
+    assert drop(window, tmp_path / "points.csv")
+    session.apply(rename_sheet(session.sheet.id, "Mine"), "Rename")
+    last = session.undo_stack.last
+    assert last is not None
+    document = last.old  # which the step that something was said of led to
+    del last
+    session.new()
+
+    def let_go() -> bool:
+        gc.collect()
+        return sys.getrefcount(document) == 2  # here, and by the call
+
+    qtbot.waitUntil(let_go, timeout=10000)
+
+
 @pytest.mark.parametrize("name", ["points.csv", "points.TXT"])
 def test_a_list_of_points_becomes_a_curve(window: MainWindow, tmp_path: Path, name: str) -> None:
     (tmp_path / name).write_bytes(b"x,y\r\n1,2\r\n30,20\r\n50,4\r\n")
@@ -143,6 +169,9 @@ def test_what_is_wrong_with_a_dropped_file_is_said_as_an_error(
     before = window.session.document
     for name, content, said in (
         ("a.svg", "<svg", "XML"),
+        ("bare.svg", '<svg xmlns="http://www.w3.org/2000/svg"/>', "bare.svg: This SVG contains no figures"),
+        ("words.svg", '<svg xmlns="http://www.w3.org/2000/svg"><text>A</text></svg>', "words.svg: "),
+        ("many.csv", "1,2\n" * 10_001, "many.csv: The list of points has 10,001"),
         ("b.csv", "1;2\n3;four", "2"),
         ("c.csv", None, "c.csv"),
         ("d.obj", "v 0 0\nf 1 2 9\n", "d.obj was not imported"),
@@ -153,8 +182,54 @@ def test_what_is_wrong_with_a_dropped_file_is_said_as_an_error(
         window.messages.dismiss()
         assert drop(window, tmp_path / name)
         qtbot.waitUntil(lambda said=said: said in window.messages.text)
-        assert "Error" in [each.accessibleName() for each in window.messages.findChildren(QWidget)]
+        assert is_error(window)
     assert window.session.document is before
+
+
+def test_undo_of_something_else_leaves_why_a_drawing_did_not_come_in(
+    window: MainWindow, tmp_path: Path
+) -> None:
+    window.session.apply(rename_sheet(window.session.sheet.id, "Mine"), "Rename")
+    (tmp_path / "bare.svg").write_text('<svg xmlns="http://www.w3.org/2000/svg"/>')
+    assert drop(window, tmp_path / "bare.svg")
+    said = window.messages.text
+    window.undo()
+    assert window.messages.text == said != ""
+
+
+def test_a_drawing_that_was_read_for_another_sheet_is_an_error(
+    qtbot: QtBot, window: MainWindow, tmp_path: Path
+) -> None:
+    session = window.session
+    session.apply(add_sheet(blank_sheet(64, 48, "Other").sheets[0]), "New sheet")
+    path = tmp_path / "long.svg"
+    path.write_text(SVG.replace("</svg>", '<path d="M8 8C20 40 40 40 56 8"/>' * 2000 + "</svg>"))
+    assert drop(window, path)
+    assert session.incoming.busy
+    session.show_sheet(session.document.sheets[-1].id)
+    qtbot.waitUntil(lambda: not session.incoming.busy, timeout=15000)
+    assert "long.svg: Another sheet was opened" in window.messages.text
+    assert is_error(window)
+
+
+@pytest.mark.parametrize(
+    ("size", "said"), [((64, 48), ""), ((640, 200), " Scaled to 10 % to fit the sheet.")]
+)
+def test_how_a_drawing_of_another_size_was_scaled_is_said(
+    window: MainWindow, tmp_path: Path, size: tuple[int, int], said: str
+) -> None:
+    width, height = size
+    path = tmp_path / "line.svg"
+    line = f'<line x2="{width}" y2="{height}" fill="none" stroke="red"/>'
+    path.write_text(f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}">{line}</svg>')
+    session = window.session
+    session.apply(add_sheet(blank_sheet(64, 48, "Other").sheets[0]), "New sheet")
+    session.show_sheet(session.document.sheets[-1].id)
+    assert drop(window, path)
+    (figure,) = session.sheet.figures
+    left, right = (point.x for point in figure.points_world)
+    assert right - left == pytest.approx(64)
+    assert window.messages.text == f"line.svg: 1 figure imported.{said}"
 
 
 def test_anything_else_is_not_taken_and_that_is_said(window: MainWindow, tmp_path: Path) -> None:

@@ -88,7 +88,7 @@ def test_a_page_is_found_from_another_workspace_and_leads_there(
     class Middle:
         show_page = staticmethod(shown.append)
 
-    window._panels[workspace] = [Middle()]  # type: ignore[list-item]
+    window._panels._ready[workspace] = [Middle()]  # type: ignore[list-item]
     window.enter = lambda slug, then: (shown.append(slug), then())  # type: ignore[assignment, method-assign]
     palette = CommandPalette.open_over(window)
     qtbot.keyClicks(palette.field, typed)

@@ -3,10 +3,13 @@
 from collections.abc import Callable
 
 import pytest
+from msgspec.structs import replace
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QInputDialog, QLineEdit, QMenu
 from pytestqt.qtbot import QtBot
 
+from workbench.document.check import MAX_NAME
+from workbench.document.samples.examples import blank_sheet
 from workbench.shell.command_palette import CommandPalette
 from workbench.shell.window import MainWindow
 
@@ -95,6 +98,25 @@ def test_a_copy_stands_beside_its_sheet_under_another_name(window: MainWindow) -
     assert copy.name == "A line copy"
     assert len(copy.figures) == 1
     assert copy.figures[0].id != window.session.document.sheets[0].figures[0].id
+
+
+def test_a_copy_of_a_copy_counts_up_and_so_does_one_of_a_long_name(qtbot: QtBot, window: MainWindow) -> None:
+    do(window, "duplicate_sheet")
+    do(window, "duplicate_sheet")
+    assert names(window) == ["A line", "A line copy", "A line copy 2"]
+    rename(qtbot, window, "x" * MAX_NAME)
+    for _time in range(2):
+        do(window, "duplicate_sheet")
+    assert names(window)[3:] == ["x" * 195 + " copy", "x" * 193 + " copy 2"]
+    assert window.messages.text == ""
+
+
+def test_why_there_is_no_other_sheet_is_said_without_the_path_of_a_field(window: MainWindow) -> None:
+    blank = blank_sheet(8, 8).sheets[0]
+    sheets = [replace(blank, id=f"s{n}", views=(replace(blank.views[0], id=f"v{n}"),)) for n in range(1000)]
+    window.session.apply(lambda document: replace(document, sheets=tuple(sheets), last_id=1000), "Many")
+    do(window, "new_sheet")
+    assert window.messages.text.startswith("The list of sheets has 1,001 ")
 
 
 def test_a_sheet_is_renamed_and_never_without_a_name(qtbot: QtBot, window: MainWindow) -> None:

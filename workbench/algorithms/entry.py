@@ -22,6 +22,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.algorithms.beside import Beside
+from workbench.algorithms.counted import Counted, Kept
 from workbench.algorithms.marks import Frame, MarksFunction, no_marks
 
 CALLS = "calls"
@@ -126,9 +127,8 @@ class Entry:
     variables of the text's own call, ``emitted`` (n, k) what that has emitted so far, ``ended`` whether it is
     over. Without a recording, as while something is dragged, ``now`` is empty, ``emitted`` everything and
     ``ended`` true. ``stack`` names the local whose length is plotted, or CALLS for a text that calls itself.
-    ``counted`` maps what is counted beside the arithmetic to the beginnings of the titles of its blocks.
-    ``keeps`` maps what it keeps beside its picture to an expression for how many there are at most, over the
-    parameters and ``counted``. ``fails_where`` ends the sentence "It shows another surface where ...".
+    ``counted`` and ``keeps`` are by the plural of what is counted, and of what is kept.
+    ``fails_where`` ends the sentence "It shows another surface where ...".
 
     ``draws`` are the kinds of figure that it can draw, ``clips`` those that it can clip to a window, as
     documents name them; ``constructs`` are the kinds of spline of whose points, as they are, it makes the
@@ -176,8 +176,8 @@ class Entry:
     marks: MarksFunction = no_marks
     frame: Frame = "device"
     stack: str = ""
-    counted: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
-    keeps: Mapping[str, str] = field(default_factory=dict)
+    counted: Mapping[str, Counted] = field(default_factory=dict)
+    keeps: Mapping[str, Kept] = field(default_factory=dict)
     fails_where: str = ""
 
     @property

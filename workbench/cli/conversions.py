@@ -153,14 +153,14 @@ def _from_points(
     count = len(pieces.controls)
     if error > 0.0:
         sentence = ngettext(
-            "{count} Bézier piece passes {points} points within {error}.",
-            "{count} Bézier pieces pass {points} points within {error}.",
+            "{count} Bézier piece passes within {error} of all {points} points.",
+            "{count} Bézier pieces pass within {error} of all {points} points.",
             count,
         )
     else:
         sentence = ngettext(
-            "{count} Bézier piece passes exactly through {points} points.",
-            "{count} Bézier pieces pass exactly through {points} points.",
+            "{count} Bézier piece passes exactly through all {points} points.",
+            "{count} Bézier pieces pass exactly through all {points} points.",
             count,
         )
     return document, [sentence.format(count=count, points=len(points), error=at_most(error))]

@@ -64,10 +64,13 @@ def render_model(options: argparse.Namespace) -> str:
             window = seen.window or window_around(segments.reshape(-1, 2), size)
             outputs.write(row, (segments, window, size), options.output)
         if row.kind == "picture" or depth_row:
-            meanwhile = _("Still drawing by {method}, which may take minutes; depth_buffer is the quickest.")
+            meanwhile = _(
+                "Still drawing with {method}; this may take minutes. {fastest} is the fastest method."
+            )
             if options.visibility == depth_buffer.__name__:
-                meanwhile = _("Still drawing; a smaller size is quicker.")
-            image, depth = telling(lambda: seen.picture(size), meanwhile.format(method=options.visibility))
+                meanwhile = _("Still drawing; a smaller size is faster.")
+            meanwhile = meanwhile.format(method=options.visibility, fastest=depth_buffer.__name__)
+            image, depth = telling(lambda: seen.picture(size), meanwhile)
             if row.kind == "picture":
                 outputs.write(row, (image, 1), options.output)
             if depth_row:

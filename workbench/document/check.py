@@ -58,6 +58,8 @@ def labels() -> dict[str, str]:
     kinds = structs_in(Document)
     numbers = {name: number.label for kind in kinds for name, number in numbers_of(kind).items()}
     return numbers | {
+        "sheets": _("list of sheets"),
+        "figures": _("list of figures"),
         "views": _("list of views"),
         "mode": _("mode"),
         "mirror": _("mirror"),

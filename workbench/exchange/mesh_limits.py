@@ -9,19 +9,18 @@ from workbench.language import _, ngettext
 MOST_VERTICES = MOST_FACES = 4_000_000
 
 Refuse = Callable[[int | None, int], None]
-"""Given how many vertices, None where that is not known, and faces a file has; raises ValueError, a sentence,
-where those are too many."""
+"""Given how many vertices and faces a file has, or None and its triangles where it lists these.
+Raises ValueError, a sentence, where those are too many."""
 
 
 def refuse_counts(vertices: int | None, faces: int) -> None:
     """Where a mesh has more than can be worked with."""
     if vertices is None and faces > MOST_FACES:
-        sentence = _("The mesh has {faces}, and at most {most:,} can be read; choose a simpler one.")
-        raise ValueError(sentence.format(faces=of_faces(faces), most=MOST_FACES))
+        sentence = _("The mesh has {triangles}; at most {most:,} can be read. Choose a simpler one.")
+        raise ValueError(sentence.format(triangles=_of_triangles(faces), most=MOST_FACES))
     if vertices is not None and (vertices > MOST_VERTICES or faces > MOST_FACES):
         sentence = _(
-            "The mesh has {vertices} and {faces}, and at most {most:,} of each can be read; "
-            "choose a simpler one."
+            "The mesh has {vertices} and {faces}; at most {most:,} of each can be read. Choose a simpler one."
         )
         raise ValueError(
             sentence.format(vertices=of_vertices(vertices), faces=of_faces(faces), most=MOST_FACES)
@@ -35,17 +34,16 @@ def refuse_unkept(vertices: int | None, faces: int) -> None:
         most = MAX_BLOB_BYTES // bytes_of_counts(1, 2, 6) * 2
         if faces > most:
             sentence = _(
-                "The mesh has {faces}, and at most {most:,} can be kept of a file that lists triangles; "
-                "choose a simpler one."
+                "The mesh has {triangles}; a picture can keep at most {most:,}. Choose a simpler one."
             )
-            raise ValueError(sentence.format(faces=of_faces(faces), most=most))
+            raise ValueError(sentence.format(triangles=_of_triangles(faces), most=most))
         return
     refuse_counts(vertices, faces)
     size = bytes_of_counts(vertices, faces, 3 * faces)
     if size > MAX_BLOB_BYTES:
         sentence = _(
-            "The mesh has {vertices} and {faces}, which take at least {size:,} bytes, but at most {most:,} "
-            "can be kept; choose a simpler one."
+            "The mesh has {vertices} and {faces}, which take at least {size:,} bytes; a picture can keep at "
+            "most {most:,}. Choose a simpler one."
         )
         raise ValueError(
             sentence.format(
@@ -62,3 +60,7 @@ def of_vertices(count: int) -> str:
 def of_faces(count: int) -> str:
     """So many faces, in words."""
     return ngettext("{count:,} face", "{count:,} faces", count).format(count=count)
+
+
+def _of_triangles(count: int) -> str:
+    return ngettext("{count:,} triangle", "{count:,} triangles", count).format(count=count)

@@ -183,6 +183,7 @@ class _Drawn(msgspec.Struct, tag=True):
     notes: list[str]
     palette: list[int]
     motion: Motion | None
+    scale: float
 
 
 class _Points(msgspec.Struct, tag=True):
@@ -220,7 +221,7 @@ def _parts(result: Result) -> Iterator[_Part]:
                     yield _Blob(name, content[at : at + _BLOB_IN_A_PART])
         case Imported(figures=figures, approximated=approximated, notes=notes, palette=palette):
             yield from _batches(0, figures)
-            yield _Drawn(list(approximated), list(notes), list(palette), result.motion)
+            yield _Drawn(list(approximated), list(notes), list(palette), result.motion, result.scale)
         case Fitted(curve=curve, points=points, error=error):
             yield from _batches(0, [curve])
             yield _Fit(points, error)
@@ -264,7 +265,8 @@ def _joined(parts: list[_Part]) -> Result:
                 return Stored(document, session, contents, each.origin, each.origin_stamp, each.blobs_beside)
             case _Drawn(approximated=approximated, notes=notes, palette=palette, motion=motion):
                 drawn = tuple(figures[0])
-                return Imported(drawn, tuple(approximated), tuple(notes), tuple(palette), motion)
+                inexact = tuple(approximated)
+                return Imported(drawn, inexact, tuple(notes), tuple(palette), motion, each.scale)
             case _Fit(points=points, error=error):
                 (curve,) = figures[0]
                 assert isinstance(curve, Curve)

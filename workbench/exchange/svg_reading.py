@@ -52,7 +52,7 @@ class Imported(NamedTuple):
     ``figures`` from back to front, those of an SVG without ids; ``approximated``: what is not exact, with its
     error in world units; ``notes``: a sentence for each thing that did not come along; ``palette``: that of
     the sheet with the colours that it needs at its end, empty where it needs none; ``motion``: how those of
-    the clipboard move, None where they do not.
+    the clipboard move, None where they do not; ``scale``: world units for a unit of the drawing.
     """
 
     figures: tuple[AnyFigure, ...]
@@ -60,6 +60,7 @@ class Imported(NamedTuple):
     notes: tuple[str, ...]
     palette: tuple[int, ...] = ()
     motion: Motion | None = None
+    scale: float = 1.0
 
     @property
     def error(self) -> float:
@@ -124,7 +125,9 @@ def read_svg(
     left_out = [_("Left out: {what}").format(what=sentence) for sentence in unread]
     palette = able.palette if able.palette != sheet.palette else ()
     said = _bounded([*left_out, *notes, *colours.notes])
-    return Imported(tuple(regrouped(figures)), tuple(approximated), said, palette)
+    return Imported(
+        tuple(regrouped(figures)), tuple(approximated), said, palette, scale=abs(float(frame[0, 0]))
+    )
 
 
 def _frame(sheet: Sheet, box: Box) -> Array:

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from workbench.algorithms import curves
 from workbench.algorithms.curves import Pieces
-from workbench.document.curves.pieces import fault_of, pieces_of
+from workbench.document.curves.pieces import pieces_of
 from workbench.document.model import Curve, Sheet
 from workbench.memory import Memory
 from workbench.rendering.mapping import PlaneMap, figure_map
@@ -51,65 +51,54 @@ def polyline_of(sheet: Sheet, curve: Curve, spline: str = "", tolerance_px: floa
     No point of the curve is farther from them than the tolerance, in pixels; by default the curve's own.
     Read-only and remembered.
     """
-    key = figure_map(sheet, curve), curve, spline, tolerance_px or curve.tolerance_px
-    return _polylines.get(key, lambda: _polyline(*key))
+    return _remembered([(figure_map(sheet, curve), curve, spline, tolerance_px or curve.tolerance_px)])[0]
 
 
 def polylines_of(sheet: Sheet, figures: Sequence[Curve | Round]) -> list[Array]:
     """That of each curve at its own tolerance, of a circle or ellipse closed and counter-clockwise or not."""
-    keys = [_key(sheet, figure) for figure in figures]
-    return _polylines.get_all(keys, lambda missing: _made([keys[k] for k in missing]))
+    tolerances = [
+        ROUND_TOLERANCE_PX if isinstance(figure, Round) else figure.tolerance_px for figure in figures
+    ]
+    return _remembered(
+        [
+            (figure_map(sheet, figure), figure, "", tolerance)
+            for figure, tolerance in zip(figures, tolerances, strict=True)
+        ]
+    )
 
 
-_Key = tuple[PlaneMap, Curve, str, float] | tuple[PlaneMap, Round]
+_Key = tuple[PlaneMap, Curve | Round, str, float]  # of a curve the spline, or none for its own; the tolerance
 
 
-def _key(sheet: Sheet, figure: Curve | Round) -> _Key:
-    if isinstance(figure, Round):
-        return figure_map(sheet, figure), figure
-    return figure_map(sheet, figure), figure, "", figure.tolerance_px
+def _remembered(keys: Sequence[_Key]) -> list[Array]:
+    return _polylines.get_all(keys, lambda missing: _flattened_together([keys[k] for k in missing]))
 
 
-def _made(keys: Sequence[_Key]) -> list[Array]:
+@np.errstate(over="ignore", invalid="ignore")
+def _flattened_together(keys: Sequence[_Key]) -> list[Array]:
     """The polylines of curves and rounds; those of one degree, map and tolerance at once."""
-    made: dict[int, Array] = {}
+    chains: dict[int, Array] = {}
     alike: dict[tuple[int, PlaneMap, float], dict[int, Pieces]] = {}
-    for k, key in enumerate(keys):
-        if len(key) == 2:
-            made[k] = _flattened(*key)
-            continue
-        scale, curve, _spline, tolerance_px = key
+    for k, (scale, figure, spline, tolerance_px) in enumerate(keys):
         try:
-            pieces = pieces_of(curve)
+            pieces = pieces_of_round(figure) if isinstance(figure, Round) else pieces_of(figure, spline)
         except ValueError:
-            made[k] = _NOTHING
+            chains[k] = _NOTHING
             continue
         if pieces.weights is None:
             alike.setdefault((pieces.degree, scale, tolerance_px), {})[k] = pieces
         else:
-            made[k] = _polyline(*key)
+            on_device = pieces._replace(controls=scale.points(pieces.controls))
+            chains[k] = curves.polyline(on_device, tolerance_px)
     for (_degree, scale, tolerance_px), group in alike.items():
         ends = np.cumsum([len(pieces.controls) for pieces in group.values()])[:-1]
         controls = scale.points(np.concatenate([pieces.controls for pieces in group.values()]))
         parts = zip(group.values(), np.split(controls, ends), strict=True)
-        on_device = [pieces._replace(controls=part) for pieces, part in parts]
-        made.update(zip(group, curves.polylines(on_device, tolerance_px), strict=True))
-    return [made[k] for k in range(len(keys))]
-
-
-@np.errstate(over="ignore", invalid="ignore")
-def _flattened(scale: PlaneMap, figure: Round) -> Array:
-    pieces = pieces_of_round(figure)
-    on_device = pieces._replace(controls=scale.points(pieces.controls))
-    return curves.polyline(on_device, ROUND_TOLERANCE_PX)
+        all_on_device = [pieces._replace(controls=part) for pieces, part in parts]
+        chains.update(zip(group, curves.polylines(all_on_device, tolerance_px), strict=True))
+    return [chains[k] for k in range(len(keys))]
 
 
 # A sheet of many curves is drawn at every step of a drag, each as pixels and as a smooth line.
 _polylines: Memory[Array] = Memory(32 << 20)
 _NOTHING = np.empty((0, 2))
-
-
-def _polyline(scale: PlaneMap, curve: Curve, spline: str, tolerance_px: float) -> Array:
-    if fault_of(curve, spline):
-        return _NOTHING
-    return curves.polyline(_device(Same(pieces_of(curve, spline)), scale), tolerance_px)

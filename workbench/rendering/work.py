@@ -146,8 +146,8 @@ def work_of(side: Side, stop: Stop) -> Work:
         work.multiplications += counted.multiplications
         work.divisions += counted.divisions
         work.emitted += counted.emitted
-        for label, titles in call.entry.counted.items():
-            visits = (times for title, times in counted.block_visits.items() if title.startswith(titles))
+        for label, each in call.entry.counted.items():
+            visits = (times for title, times in counted.block_visits.items() if title.startswith(each.blocks))
             work.counted[label] = work.counted.get(label, 0) + sum(visits)
         if call.entry.writes:
             spans = call.entry.emits == "spans"

@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 
 from PySide6.QtCore import QObject, Signal
 
+from workbench.document.errors import DocumentError
 from workbench.document.storage.content import Stopped
 from workbench.engine.background import report
 from workbench.exchange.reading import Job, Reading, read_at_once
@@ -61,12 +62,12 @@ class Incoming(QObject):
         """Read what is called ``name``; whether that was done at once. What was being read before is dropped.
 
         ``take`` is given what ``prepare`` makes of the result, on a thread beside if need be, which is why it
-        holds nothing of Qt; ``refuse`` one sentence.
+        holds nothing of Qt and may raise DocumentError; ``refuse`` one sentence.
         """
         self.cancel()
         try:
             result = read_at_once(job)
-            prepared = None if result is None else prepare(result)
+            prepared = None if result is None else _prepared(prepare, result)
         except ValueError as error:
             refuse(reason_of(error))
             return True
@@ -101,10 +102,17 @@ class Incoming(QObject):
             wish.take(said.result)
 
 
+def _prepared(prepare: Prepare, result: object) -> object:
+    try:
+        return prepare(result)
+    except DocumentError as problem:
+        raise ValueError(problem.short) from None
+
+
 def _read(reading: Reading, prepare: Prepare, tell: Callable[[_Said], None]) -> _Said | None:
     try:
         result = reading.follow(lambda share: tell(_Said(reading, share=share)))
-        return _Said(reading, result=prepare(result))
+        return _Said(reading, result=_prepared(prepare, result))
     except Stopped:
         return None
     except (ValueError, OSError) as error:

@@ -26,6 +26,7 @@ from workbench.session.ahead import Ahead
 from workbench.session.following import Following
 from workbench.session.frames import Frames
 from workbench.session.incoming import Incoming
+from workbench.session.merging import Merging
 from workbench.session.origins import text_of
 from workbench.session.recovery import Recoverable, RecoveryFile
 from workbench.session.recovery_watch import RecoveryWatch
@@ -34,7 +35,7 @@ from workbench.session.run import Run
 from workbench.session.saver import Saved, Saver
 from workbench.session.shown_sheets import ShownSheets
 from workbench.session.stamps import Stamp, stamp
-from workbench.session.undo import Step, UndoStack
+from workbench.session.undo import UndoStack
 from workbench.session.unfolding import Unfolding
 
 
@@ -44,9 +45,11 @@ class Session(QObject):
     ``changed(old, new, addresses)`` and ``state_changed(old, new)`` come once per turn of the event loop, in
     this order, with everything that happened since the last time. ``revision`` counts every change at once:
     a worker answers with the revision it was given, and stale answers are dropped. ``saved(Saved)``: a save
-    has ended, well or not. ``opened``: another document or sheet is. ``storing``: its state is about to be
-    saved. ``left_out(sentence)``: what a file was opened without. ``why_asked``: about ``state.pixel``.
-    ``run`` leads, ``followers`` do the same under other entries; ``ahead`` works on large sheets.
+    has ended, well or not. ``opened``: another document or sheet is. ``storing``: a save is about to begin;
+    what belongs into the session's state is to be put there now. ``left_out(sentence)``: what a file was
+    opened without. ``why_asked``: somebody asks why ``state.pixel`` is as it is, also when it is the same
+    pixel again, of which ``state_changed`` does not tell. ``run`` leads, ``followers`` do the same under
+    other entries; ``ahead`` works on large sheets.
     """
 
     changed = Signal(object, object, object)
@@ -56,7 +59,8 @@ class Session(QObject):
     dirty_changed = Signal(bool)
     saved = Signal(object)
     storing = Signal()
-    autosave_failed, autosave_mended = Signal(str), Signal(str)
+    autosave_failed = Signal(str)
+    autosave_mended = Signal(str)
     left_out = Signal(str)
     why_asked = Signal()
     _due = Signal()
@@ -67,24 +71,27 @@ class Session(QObject):
         self.revision = 0
         self.path: Path | None = None
         self.undo_stack = UndoStack(self._show, self)
+        self._merging = Merging(self.undo_stack)
         self.state = cleaned(SessionState(), self.document)
         self._blobs: dict[str, bytes] = {}
         self._told = (self.document, self.state)
-        self._waiting = self._pushing = False
-        self._merging: tuple[str, Step] | None = None
+        self._waiting = False
         self._recovery: RecoveryFile | None = None
         self._on_disk: Stamp | None = None
-        self._saver, self.incoming, self.ahead = Saver(self), Incoming(self), Ahead(self)
+        self._saver = Saver(self)
         self._saver.saved.connect(self._take_saved)
-        self.run, self.followers = Run(self), (Run(self),)
+        self.incoming = Incoming(self)
+        self.ahead = Ahead(self)
+        self.run = Run(self)
+        self.followers = (Run(self),)
         self._following = Following(self, self.run, self.followers)
-        self.unfolding, self.frames = Unfolding(self), Frames(self)
+        self.unfolding = Unfolding(self)
+        self.frames = Frames(self)
         self._shown_sheets = ShownSheets(self)
         self._due.connect(self.flush, Qt.ConnectionType.QueuedConnection)
         self._entering = QTimer(self, singleShot=True)
         self._entering.timeout.connect(self._due)
         self.undo_stack.cleanChanged.connect(self._clean_changed)
-        self.undo_stack.indexChanged.connect(self._index_changed)
 
     @property
     def dirty(self) -> bool:
@@ -130,36 +137,23 @@ class Session(QObject):
         return Stored(self.document, self.state, self._blobs)
 
     def apply(self, edit: Edit, name: str, merge: str = "", on: Document | None = None) -> None:
-        """Do ``edit`` in the frame that is shown, as one step of undo called ``name``, to the document or to
-        ``on``, with which a drag began; raises DocumentError with everything untouched.
-        Edits with the same ``merge`` token become one step, until ``end_merge`` or any other edit.
+        """Do ``edit`` in the frame that is shown, as one step of undo called ``name``.
+
+        It is done to the document, or to ``on``, the one with which a drag began. Edits with the same
+        ``merge`` token become one step, until ``end_merge`` or any other edit. Raises DocumentError with
+        everything untouched.
         """
         old = self.document
         new = self.frames.edited(edit)(on or old)
-        if new == old:
-            return
-        if self._merging and self._merging[0] != merge:
-            self.end_merge()
-        self._pushing = True
-        try:
-            if self._merging:
-                step = self.undo_stack.extend(self._merging[1], new)
-            else:
-                step = self.undo_stack.push(name, old, new)
-        finally:
-            self._pushing = False
-        self._merging = (merge, step) if merge else None
+        if new != old:
+            self._merging.push(name, old, new, merge)
 
     def end_merge(self, merge: str = "") -> None:
         """End a drag: the next edit is a step of its own. A drag back to its start leaves none.
 
         With ``merge`` only edits that were merged under this token are ended.
         """
-        if self._merging is None or (merge and self._merging[0] != merge):
-            return
-        step = self._merging[1]
-        self._merging = None
-        self.undo_stack.end(step)
+        self._merging.end(merge)
 
     def update_state(self, **changes: Any) -> None:
         """Change fields of the session's state; raises DocumentError when they refer to nothing.
@@ -171,7 +165,8 @@ class Session(QObject):
             checked(changes["subject"])
         state = check_state(with_changes(self.state, **changes), self.document)
         if state != self.state:
-            figure, workspace, self.state = self.active_figure, self.state.workspace, state
+            figure, workspace = self.active_figure, self.state.workspace
+            self.state = state
             other = self._another_figure(figure, changes.get("step"))
             self._following.switch("step" not in changes and not other and state.workspace == workspace)
             self._tell_later()
@@ -225,7 +220,8 @@ class Session(QObject):
 
     def open_example(self, slug: str) -> None:
         """Open a built-in example: as a document of its own, or as a sheet beside unsaved work."""
-        chosen, before = example(slug), self.document.sheets if self.dirty else ()
+        chosen = example(slug)
+        before = self.document.sheets if self.dirty else ()
         if self.dirty:
             self.apply(add_apart(chosen.document.sheets[0]), _("Open example"))
         else:
@@ -347,7 +343,6 @@ class Session(QObject):
     def _begin(self, stored: Stored, path: Path | None = None, on_disk: Stamp | None = None) -> None:
         self.incoming.cancel()
         self.finish_saving()
-        self._merging = None
         self.undo_stack.clear()
         forget()
         self.ahead.forget()
@@ -373,7 +368,8 @@ class Session(QObject):
             self._recovery.keep(kept if self.dirty else None, then)
 
     def _show(self, document: Document) -> None:
-        figure, self.document = self.active_figure, document
+        figure = self.active_figure
+        self.document = document
         self.state = cleaned(self.state, document)
         self._another_figure(figure)
         self.revision += 1
@@ -394,7 +390,3 @@ class Session(QObject):
             self._waiting = True
             entered = self.state.workspace != self._told[1].workspace  # it is painted before its runs follow
             self._entering.start() if entered else self._due.emit()
-
-    def _index_changed(self) -> None:
-        if not self._pushing:
-            self._merging = None

@@ -14,7 +14,7 @@ from workbench.document.weight import weight
 LIMIT_BYTES = 200 * 2**20
 
 
-@dataclass(slots=True, eq=False)
+@dataclass(slots=True, eq=False, weakref_slot=True)
 class Step:
     """One step: the documents before and after it, and what the one before alone holds, in bytes."""
 

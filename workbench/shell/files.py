@@ -146,7 +146,7 @@ class Files(QObject):
         try:
             session.apply(edit, _("Import {name}").format(name=path.name))
         except DocumentError as error:
-            self._not_imported(path, str(error))
+            self._not_imported(path, error.short)
             return
         added = [sheet for sheet in session.document.sheets if sheet.id not in known]
         self.show_sheet(added[0].id)

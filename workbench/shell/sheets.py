@@ -9,8 +9,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QInputDialog
 
 from workbench.document.errors import DocumentError
+from workbench.document.names import first_free, name_of_copy
 from workbench.document.samples.examples import blank_sheet
-from workbench.document.sheet_edits import add_apart, remove_sheet, rename_sheet
+from workbench.document.sheet_edits import add_sheet, remove_sheet, rename_sheet
 from workbench.language import _, legible
 from workbench.shell.actions import Command
 
@@ -59,25 +60,28 @@ def sheet_commands() -> tuple[Command, ...]:
 
 def _add_empty(window: "MainWindow") -> None:
     sheets, here = window.session.document.sheets, window.session.sheet
-    taken = {sheet.name for sheet in sheets}
     numbered = (_("Sheet {n}").format(n=number) for number in count(len(sheets) + 1))
-    name = next(each for each in numbered if each not in taken)
+    name = first_free(numbered, _names(window))
     blank = blank_sheet(here.width_px, here.height_px, name).sheets[0]
     _add(window, blank, len(sheets), _("New sheet"))
 
 
 def _duplicate(window: "MainWindow") -> None:
     here = window.session.sheet
-    copy = replace(here, id="", name=_("{name} copy").format(name=here.name))
+    copy = replace(here, id="", name=name_of_copy(here.name, _names(window)))
     _add(window, copy, window.session.document.sheets.index(here) + 1, _("Duplicate sheet"))
+
+
+def _names(window: "MainWindow") -> set[str]:
+    return {sheet.name for sheet in window.session.document.sheets}
 
 
 def _add(window: "MainWindow", sheet: "Sheet", index: int, name: str) -> None:
     session = window.session
     try:
-        session.apply(add_apart(sheet, index), name)
+        session.apply(add_sheet(sheet, index), name)
     except DocumentError as problem:
-        window.messages.say(str(problem), "error")
+        window.messages.say(problem.short, "error")
         return
     window.files.show_sheet(session.document.sheets[index].id)
 
@@ -91,7 +95,7 @@ def _remove(window: "MainWindow") -> None:
     at = sheets.index(gone)
     session.apply(remove_sheet(gone.id), _("Remove sheet"))
     window.files.show_sheet(sheets[at + 1 if at + 1 < len(sheets) else at - 1].id)
-    window.say_status(_("{name} is removed; Undo brings it back.").format(name=legible(gone.name)))
+    window.say_status(_("{name} was removed; Undo brings it back.").format(name=legible(gone.name)))
 
 
 def _ask_for_name(window: "MainWindow") -> None:
@@ -108,7 +112,7 @@ def _ask_for_name(window: "MainWindow") -> None:
 def _rename(window: "MainWindow", sheet: str, text: str) -> None:
     name = text.strip()
     if not name:
-        window.messages.say(_("A sheet needs a name; this one keeps the one that it has."))
+        window.messages.say(_("A sheet needs a name, so the old one was kept."))
         return
     try:
         window.session.apply(rename_sheet(sheet, name), _("Rename sheet"))

@@ -19,7 +19,8 @@ from workbench.shell.places import HomePage, make_page
 from workbench.shell.settings import Settings
 from workbench.shell.theme import ThemeSwitch
 from workbench.shell.workspace_bar import WorkspaceBar
-from workbench.shell.workspaces import Workspace, join, panel_class, titles, workspaces
+from workbench.shell.workspace_panels import WorkspacePanels
+from workbench.shell.workspaces import Workspace, titles, workspaces
 from workbench.widgets.look.type_faces import type_scale
 
 if TYPE_CHECKING:
@@ -73,12 +74,12 @@ class MainWindow(QMainWindow):
         self.themes = themes
         self.session: Any = None
         self._offered = {each.slug: each for each in (workspaces() if offered is None else offered)}
-        self._panels: dict[str, list[Panel]] = {}
-        self._made: dict[str, Panel] = {}
-        self._makers: dict[str, Iterator[None]] = {}
+        self._panels = WorkspacePanels(self)
         self._pages: dict[str, QWidget] = {}
         self.arriving: Arriving | None = None
-        self._painted = self._closing = self._complete = False
+        self._painted = False
+        self._complete = False
+        self._closing = False
         self._wanted: list[Callable[[], object]] = []
         self.setWindowTitle(PROGRAM)
         themes.dress(self)
@@ -212,7 +213,7 @@ class MainWindow(QMainWindow):
                 self.status.preparing(_("Preparing {title}").format(title=self._offered[slug].title))
             self.when_ready(partial(self.enter, slug, then))
             return
-        if self.arriving is not None and slug not in self._panels:
+        if self.arriving is not None and not self._panels.of(slug):
             self.arriving.enter(self._offered[slug], then)
             return
         for _panel in self.prepare(slug):
@@ -240,34 +241,11 @@ class MainWindow(QMainWindow):
 
     def panels(self, slug: str) -> list[Panel]:
         """The panels of a workspace, empty before it was first shown."""
-        return list(self._panels.get(slug, []))
+        return self._panels.of(slug)
 
     def prepare(self, slug: str) -> Iterator[None]:
         """Make the panels of a workspace step by step; who asks later goes on where the first stopped."""
-        if slug not in self._panels:
-            yield from self._makers.setdefault(slug, self._make_panels(slug))
-
-    def _make_panels(self, slug: str) -> Iterator[None]:
-        workspace = self._offered[slug]
-        for name in workspace.panels:
-            if name not in self._made:
-                panel = yield from panel_class(name).making(self.session)
-                self._take(self._made.setdefault(name, panel))
-                yield
-        panels = [self._made[name] for name in workspace.panels]
-        docks = [dock for each in panels for dock in each.docks()]
-        yield from self.arrangements.add(slug, panels[0].center, docks, workspace.lower)
-        yield
-        join(panels)
-        self._panels[slug] = panels
-
-    def _take(self, panel: Panel) -> None:
-        """Let a new panel's commands, step bar and words be the window's; workspaces may share it."""
-        for action in panel.actions():
-            self.addAction(action)
-        if panel.step_bar is not None:
-            self.steps.addWidget(panel.step_bar)
-        self.status.listen(panel)
+        return self._panels.prepare(slug)
 
     def show_page(self, name: str) -> None:
         """Show a page: home, settings, help, keys or about."""

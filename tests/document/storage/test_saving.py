@@ -53,7 +53,7 @@ def test_a_link_stays_a_link(tmp_path: Path) -> None:
 def test_a_link_to_nowhere_is_said_to_be_one(tmp_path: Path) -> None:
     link = tmp_path / "dang.gwb"
     link.symlink_to("gone/work.gwb")
-    with pytest.raises(SavingError, match=r"is a link to gone/work\.gwb, a place that is not there;"):
+    with pytest.raises(SavingError, match=r"is a link to gone/work\.gwb, whose folder does not exist;"):
         replace_file(link, b"new")
     assert link.is_symlink()
 

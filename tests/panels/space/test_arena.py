@@ -18,7 +18,8 @@ from workbench.panels.space.arena import work
 from workbench.panels.space.arena.page import ArenaPage
 from workbench.panels.space.arena.tile import MethodTile, beside, together
 from workbench.panels.space.panel import SpacePanel
-from workbench.rendering.scene.counted import counted_text
+from workbench.rendering.scene.arena import MethodRun
+from workbench.rendering.scene.counted import counted_texts, kept_texts
 from workbench.rendering.scene.growth import Growth
 from workbench.session.session import Session
 
@@ -358,10 +359,12 @@ def test_what_was_divided_is_said_whole_in_the_room_there_is(page, divided, room
 
 
 def test_counts_have_a_singular():
-    assert counted_text(1, "boxes divided") == "1 box divided"
-    assert counted_text(7237, "cells divided") == "7,237 cells divided"
-    assert counted_text(2, "octants gone into") == "2 octants gone into"
+    nothing = np.zeros((0, 0), np.int64)
+    for divided, said in ((1, "1 box divided"), (7237, "7,237 boxes divided")):
+        run = MethodRun("ray_casting_boxes", nothing, nothing, 0, {"boxes divided": divided}, {"boxes": 1})
+        assert counted_texts(run) == [said]
+        assert kept_texts(run) == ["1 box"]
     for entry in catalogue.entries():
-        if entry.topic in ("visibility", "solids"):
-            for what in (*entry.counted, *entry.keeps):
-                assert not counted_text(1, what).endswith("s") or what == "octants gone into"
+        for plural, one in (*entry.counted.items(), *entry.keeps.items()):
+            assert not one.singular.endswith("s")
+            assert plural != one.singular

@@ -4,6 +4,7 @@ import math
 from collections.abc import Iterable, Sequence
 
 from workbench.algorithms.clipping.edges import BOTTOM, LEFT, RIGHT, TOP, intersection, region_code
+from workbench.algorithms.counted import Counted
 from workbench.algorithms.entry import View
 from workbench.geometry.conventions import round_half_up
 
@@ -63,7 +64,7 @@ def output(points: Sequence[Point]) -> object:
     return points[0] if len(points) == 1 else tuple(points) or ""
 
 
-INTERSECTIONS = {"Intersections": ("Find the intersection",)}
+INTERSECTIONS = {"Intersections": Counted("Intersection", ("Find the intersection",))}
 
 
 def _intersection_view(when: str, given: str, found: str) -> View:

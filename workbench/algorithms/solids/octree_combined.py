@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from workbench.algorithms.counted import Counted
 from workbench.algorithms.entry import Entry, Law, Parameter
 from workbench.algorithms.solids.combined_views import COLUMNS, VIEW_FUNCTIONS, VIEWS, marks
 from workbench.algorithms.solids.implicit import ELLIPSOID, EMPTY, FULL, HALF_SPACE
@@ -137,5 +138,5 @@ ENTRY = Entry(
     marks=marks,
     frame="world",
     stack="pairs",
-    counted={"octants gone into": ("Go on",)},
+    counted={"octants gone into": Counted("octant gone into", ("Go on",))},
 )

@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from workbench.algorithms.counted import Counted, Kept
 from workbench.algorithms.entry import Entry, Law, Parameter
 from workbench.algorithms.solids.implicit import (
     BLOBS,
@@ -141,6 +142,6 @@ ENTRY = Entry(
     marks=marks,
     frame="world",
     stack="waiting",
-    counted={"cells divided": ("Divide it",)},
-    keeps={"nodes": "1 + counted['cells divided']"},
+    counted={"cells divided": Counted("cell divided", ("Divide it",))},
+    keeps={"nodes": Kept("node", "1 + counted['cells divided']")},
 )

@@ -21,7 +21,11 @@ Array = NDArray[np.float64]
 Faces = NDArray[np.int64]
 
 MOST_CELLS = 250_000
-_TELLING = 1_024  # cells, from which on halving one leaves no less than about a quarter of its error
+_TELLING = 1_024
+"""Cells, from which on halving one leaves no less than about a quarter of its error: its distance from its
+chord goes with the square of its side, its twist with the side. So bringing an error e to the tolerance t
+takes log4(e / t) halvings or more; each makes two cells of one, and they become sqrt(e / t) or more. The sum
+of these over all cells refuses only from twice the limit on, since "about a quarter" is no proof."""
 NEAREST = 1e-12  # of the size of the surface: nearer than this rounding errors are all that is left
 
 

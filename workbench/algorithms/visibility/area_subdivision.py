@@ -9,6 +9,7 @@ number      the surface that decides a square
 
 from collections.abc import Iterator
 
+from workbench.algorithms.counted import Counted, Kept
 from workbench.algorithms.entry import Entry, Law
 from workbench.algorithms.visibility.squares import (
     OUTSIDE,
@@ -121,6 +122,6 @@ ENTRY = Entry(
     writes="image",
     marks=square_marks,
     stack="waiting",
-    counted={"squares divided": ("Divide",)},
-    keeps={"squares": "3 * (max(image.shape) - 1).bit_length() + 1"},
+    counted={"squares divided": Counted("square divided", ("Divide",))},
+    keeps={"squares": Kept("square", "3 * (max(image.shape) - 1).bit_length() + 1")},
 )

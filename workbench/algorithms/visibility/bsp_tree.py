@@ -10,6 +10,7 @@ walk        nodes on the way, and whether all beyond their planes is painted
 
 from collections.abc import Iterator
 
+from workbench.algorithms.counted import Counted, Kept
 from workbench.algorithms.entry import Entry, Law
 from workbench.algorithms.visibility.bsp_views import COLUMNS, VIEW_FUNCTIONS, VIEWS
 from workbench.algorithms.visibility.piece_painting import paint_piece
@@ -128,6 +129,6 @@ ENTRY = Entry(
     writes="image",
     marks=marks,
     stack="walk",
-    counted={"splits": ("Split the piece",)},
-    keeps={"pieces": "len(faces) + counted['splits']"},
+    counted={"splits": Counted("split", ("Split the piece",))},
+    keeps={"pieces": Kept("piece", "len(faces) + counted['splits']")},
 )

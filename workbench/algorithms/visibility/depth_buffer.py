@@ -15,6 +15,7 @@ from typing import Any
 from numpy.typing import NDArray
 
 from workbench.algorithms.beside import Beside
+from workbench.algorithms.counted import Kept
 from workbench.algorithms.entry import Entry, Law
 from workbench.algorithms.visibility import depth_front_first
 from workbench.algorithms.visibility.depth_front_first import depth_buffer_front_first
@@ -136,5 +137,5 @@ ENTRY = Entry(
     labs=("Hidden surfaces: depth buffer",),
     tie="Strictly nearer wins, so the first drawn stays",
     writes="image",
-    keeps={"depths": "depth.size"},
+    keeps={"depths": Kept("depth", "depth.size")},
 )

@@ -11,6 +11,7 @@ settled     whether P passed a test with every Q
 
 from collections.abc import Iterator
 
+from workbench.algorithms.counted import Counted, Kept
 from workbench.algorithms.entry import Entry, Law
 from workbench.algorithms.visibility.depth_sort_views import COLUMNS, VIEW_FUNCTIONS, VIEWS
 from workbench.algorithms.visibility.depth_tests import (
@@ -130,6 +131,6 @@ ENTRY = Entry(
     tie="In one plane the lower number is painted last, and stays",
     writes="image",
     marks=marks,
-    counted={"swaps and splits": ("Swap",), "splits": ("Split",)},
-    keeps={"pieces": "len(faces) + 2 * counted['splits']"},
+    counted={"swaps and splits": Counted("swap or split", ("Swap",)), "splits": Counted("split", ("Split",))},
+    keeps={"pieces": Kept("piece", "len(faces) + 2 * counted['splits']")},
 )

@@ -13,6 +13,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from workbench.algorithms.counted import Counted, Kept
 from workbench.algorithms.entry import Entry, Law
 from workbench.algorithms.visibility.boxes import extents_of
 from workbench.algorithms.visibility.octants import (
@@ -108,9 +109,9 @@ ENTRY = Entry(
     writes="image",
     marks=square_marks,
     stack="waiting",
-    counted={"cells divided": ("Divide",)},
+    counted={"cells divided": Counted("cell divided", ("Divide",))},
     keeps={
-        "flags": "image.size",
-        "cells": "7 * (max(image.shape) - 1).bit_length() + 1",
+        "flags": Kept("flag", "image.size"),
+        "cells": Kept("cell", "7 * (max(image.shape) - 1).bit_length() + 1"),
     },
 )

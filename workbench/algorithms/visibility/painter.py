@@ -8,6 +8,7 @@ number      the surface that is painted
 
 from collections.abc import Iterator
 
+from workbench.algorithms.counted import Kept
 from workbench.algorithms.entry import Entry, Law, View
 from workbench.algorithms.visibility.painting import farthest_first, paint_surface
 from workbench.algorithms.visibility.surface_marks import marks, surface_mark
@@ -128,7 +129,7 @@ ENTRY = Entry(
     next_rung="depth_sort",
     tie="Of equal depths the lower number is painted last, and stays",
     writes="image",
-    keeps={"surfaces": "len(faces)"},
+    keeps={"surfaces": Kept("surface", "len(faces)")},
     fails_where="the depths of surfaces overlap, so that their farthest corners do not tell which is nearer",
     marks=marks,
 )

@@ -17,6 +17,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from workbench.algorithms.counted import Counted, Kept
 from workbench.algorithms.entry import Entry, Law
 from workbench.algorithms.visibility.box_cuts import BINS, cheapest_cut, put_apart
 from workbench.algorithms.visibility.box_examples import EXAMPLE, many_surfaces
@@ -142,6 +143,6 @@ ENTRY = Entry(
     tie="Of equal depths the lower number is taken",
     writes="image",
     marks=box_marks,
-    counted={"boxes divided": ("Put a box around each",)},
-    keeps={"boxes": "2 * counted['boxes divided'] + 1"},
+    counted={"boxes divided": Counted("box divided", ("Put a box around each",))},
+    keeps={"boxes": Kept("box", "2 * counted['boxes divided'] + 1")},
 )

@@ -13,6 +13,7 @@ seen        the surface that the span shows
 import math
 from collections.abc import Iterator
 
+from workbench.algorithms.counted import Kept
 from workbench.algorithms.entry import Entry, Law
 from workbench.algorithms.visibility.surface_edges import (
     Active,
@@ -104,7 +105,7 @@ ENTRY = Entry(
     labs=("Hidden surfaces: scan-line method",),
     tie="Of equal depths the lower number is taken",
     writes="image",
-    keeps={"edges": "3 * len(faces)"},
+    keeps={"edges": Kept("edge", "3 * len(faces)")},
     fails_where="surfaces pierce, since one comparison decides all pixels from an edge to the next",
     marks=marks,
 )

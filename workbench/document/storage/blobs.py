@@ -14,8 +14,7 @@ class Blob(bytes):
     def __new__(cls, content: bytes) -> "Blob":
         if len(content) > MAX_BLOB_BYTES:
             sentence = _(
-                "A mesh or another large part of the picture has {size:,} bytes, but at most {most:,} can be "
-                "kept; choose another picture."
+                "This has {size:,} bytes; a picture can keep at most {most:,}. Choose a smaller one."
             )
             raise DocumentError("", sentence.format(size=len(content), most=MAX_BLOB_BYTES))
         return super().__new__(cls, content)

@@ -18,7 +18,7 @@ from workbench.document.errors import DocumentError
 from workbench.document.model import Document
 from workbench.document.places import line_of, path_at
 from workbench.document.state import SessionState, check_state
-from workbench.document.storage.blobs import Blob
+from workbench.document.storage.blobs import MAX_BLOB_BYTES, Blob
 from workbench.document.storage.content import Progress, read_content, silent
 from workbench.document.storage.embedding import blobs_of, from_text, with_contents
 from workbench.document.storage.encoding import pieces
@@ -237,17 +237,18 @@ def sound_blobs(blobs: Mapping[str, bytes]) -> dict[str, bytes]:
     """``blobs`` as values that know their digest; raises DocumentError where that is not their name."""
     sound: dict[str, bytes] = {}
     for name, content in blobs.items():
+        field = f"blobs.{name if len(name) <= 16 else name[:16] + '…'}"
+        if len(content) > MAX_BLOB_BYTES:
+            problem = _("has {size:,} bytes, but at most {most:,} can be kept; open another copy")
+            raise refuse(field, problem.format(size=len(content), most=MAX_BLOB_BYTES))
         blob = content if isinstance(content, Blob) else Blob(content)
         if blob.digest != name:
-            shown = name if len(name) <= 16 else name[:16] + "…"
-            raise refuse(
-                f"blobs.{shown}", _("does not match its content, which was damaged; open another copy")
-            )
+            raise refuse(field, _("does not match its content, which was damaged; open another copy"))
         sound[name] = blob
     return sound
 
 
-# Half a character, in whose place msgspec says of the last bytes of a file that they end too soon.
+# A high surrogate without its low one. At the very end of a file msgspec reports it as "input was truncated".
 _ESCAPE = 6
 _HALF = re.compile(rb"\\u[dD][89abAB][0-9a-fA-F]{2}(?=[^\\])")
 

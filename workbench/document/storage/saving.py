@@ -141,7 +141,7 @@ def refusal(path: Path, error: OSError | ValueError) -> SavingError:
     number = error.errno if isinstance(error, OSError) else None
     match number:
         case errno.ENOENT | errno.ENOTDIR if os.path.islink(path):
-            sentence = _("{path} is a link to {target}, a place that is not there; choose another name.")
+            sentence = _("{path} is a link to {target}, whose folder does not exist; choose another name.")
         case errno.ENOENT | errno.ENOTDIR if not os.path.isdir(path.parent):
             sentence = _("There is no folder {folder} for {name}; choose another folder.")
         case errno.EACCES | errno.EPERM:

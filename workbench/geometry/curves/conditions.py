@@ -37,7 +37,7 @@ def faults(
         faulty.append(Fault("points", int(i), f"Point {i} is not finite; give it numbers."))
     least = max(least, (degree or 0) + 1)
     if len(shape) < least:
-        there = "There is 1 point" if len(shape) == 1 else f"There are {len(shape)} points"
+        there = there_are(len(shape), "point")
         sentence = f"{there}, and {least} are needed; add {least - len(shape)}."
         faulty.append(Fault("points", -1, sentence))
     if degree is not None and degree < 1:
@@ -55,9 +55,14 @@ def refuse(found: list[Fault]) -> None:
         raise ValueError(found[0].sentence)
 
 
+def there_are(count: int, noun: str) -> str:
+    """How a sentence begins that tells how many there are."""
+    return f"There is 1 {noun}" if count == 1 else f"There are {count} {noun}s"
+
+
 def _weight_faults(weights: NDArray[np.float64], count: int) -> list[Fault]:
     if weights.shape != (count,):
-        there = "There is 1 weight" if weights.size == 1 else f"There are {weights.size} weights"
+        there = there_are(weights.size, "weight")
         return [Fault("weights", -1, f"{there} for {count} points; give each one.")]
     return [
         Fault("weights", int(i), f"Weight {i} is {weights[i]:g}; it must be a finite number above 0.")
@@ -68,8 +73,7 @@ def _weight_faults(weights: NDArray[np.float64], count: int) -> list[Fault]:
 def _knot_faults(knots: NDArray[np.float64], count: int, degree: int) -> list[Fault]:
     needed = count + degree + 1
     if knots.shape != (needed,):
-        there = "There is 1 knot" if knots.size == 1 else f"There are {knots.size} knots"
-        what = f"{there}, and {count} points of degree {degree} need {needed}"
+        what = f"{there_are(knots.size, 'knot')}, and {count} points of degree {degree} need {needed}"
         more = knots.size - needed
         return [Fault("knots", -1, f"{what}; {'take away' if more > 0 else 'add'} {abs(more)}.")]
     unbounded = [

@@ -6,7 +6,7 @@ Source: Hearn and Baker, Computer Graphics, C Version, section 10-7.
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from workbench.geometry.curves.conditions import Fault, faults, refuse
+from workbench.geometry.curves.conditions import Fault, faults, refuse, there_are
 from workbench.geometry.curves.pieces import Pieces
 
 Array = NDArray[np.float64]
@@ -21,7 +21,8 @@ def hermite(points: ArrayLike, tangents: ArrayLike, knots: ArrayLike | None = No
     through, along = np.asarray(points, float), np.asarray(tangents, float)
     refuse(faults(through))
     if along.shape != through.shape or not np.isfinite(along).all():
-        raise ValueError(f"{len(along)} tangents for {len(through)} points; give each point one, finite.")
+        there = there_are(len(along), "tangent")
+        raise ValueError(f"{there} for {len(through)} points; give each point one, finite.")
     t = parameters(len(through), knots)
     return hermite_pieces(through, along[:-1], along[1:], t)
 
@@ -43,7 +44,8 @@ def parameters(count: int, knots: ArrayLike | None, strictly: bool = False) -> A
     t = np.asarray(knots, float)
     faulty: list[Fault] = []
     if t.shape != (count,) or not np.isfinite(t).all():
-        faulty.append(Fault("knots", -1, f"{t.size} knots for {count} points; give each point one, finite."))
+        there = there_are(t.size, "knot")
+        faulty.append(Fault("knots", -1, f"{there} for {count} points; give each point one, finite."))
     else:
         steps = np.diff(t)
         for i in np.flatnonzero((steps < 0) | (strictly & (steps == 0))):

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from workbench.geometry.curves.conditions import faults, refuse
+from workbench.geometry.curves.conditions import faults, refuse, there_are
 
 Array = NDArray[np.float64]
 
@@ -68,7 +68,8 @@ def closed_b_spline(points: ArrayLike, degree: int, knots: ArrayLike | None = No
     count = len(controls)
     turn = np.arange(degree, count + degree + 1.0) if knots is None else np.asarray(knots, float)
     if turn.shape != (count + 1,):
-        raise ValueError(f"There are {turn.size} knots, and {count} closed points need {count + 1}.")
+        there = there_are(turn.size, "knot")
+        raise ValueError(f"{there}, and {count} closed points need {count + 1}.")
     around = controls[np.arange(count + degree) % count]
     at = np.arange(-degree, count + degree + 1)
     repeated = turn[at % count] + (turn[-1] - turn[0]) * (at // count)

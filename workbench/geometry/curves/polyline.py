@@ -75,12 +75,12 @@ def polylines(curves: Sequence[Pieces], tolerance: float) -> list[Array]:
     controls = np.concatenate([each.controls for each in kept])
     counts = chord_counts(Pieces(np.zeros(0), controls), tolerance)
     last = np.cumsum([len(each.controls) for each in kept])
-    made: list[Array] = []
+    chains: list[Array] = []
     for some in np.split(last, np.flatnonzero(np.diff(np.cumsum(counts)[last - 1] // _AT_ONCE)) + 1):
-        begin = 0 if not made else int(last[len(made) - 1])
+        begin = 0 if not chains else int(last[len(chains) - 1])
         part = slice(begin, int(some[-1]))
-        made += _chains(Pieces(np.zeros(0), controls[part]), counts[part], some - begin)
-    return made
+        chains += _chains(Pieces(np.zeros(0), controls[part]), counts[part], some - begin)
+    return chains
 
 
 def _chains(pieces: Pieces, counts: NDArray[np.int64], last: NDArray[np.int64]) -> list[Array]:

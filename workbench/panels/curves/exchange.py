@@ -28,6 +28,8 @@ from workbench.panels.stage.actions import PanelCommand
 from workbench.session.incoming import Prepare
 
 _PATH_DATA = re.compile(r"\s*[Mm]\s*[-+.\d][^<>&\"]*\Z")
+_UNSCALED = 0.005  # a scale this near to 1 would be said to be 100 %
+
 Say = Callable[[str], object]
 
 
@@ -93,17 +95,21 @@ class CurveExchange(QObject):
 
     def take_points(self, text: str) -> None:
         """Points go on the end of the selected open curve, or make a new one."""
-        self._read_text(Job("points"), text, _("points"), partial(self._take_places, self.said.emit))
+        self._read_text(
+            Job("points"), text, _("points"), partial(self._take_places, self.said.emit, self.said.emit)
+        )
 
     def take_svg(self, text: str) -> None:
         """The figures of an SVG come onto the sheet."""
         sheet = self.session.sheet
-        self._read_text(Job("drawing", sheet=sheet), text, _("SVG"), *self._drawn(sheet, self.said.emit))
+        self._read_text(
+            Job("drawing", sheet=sheet), text, _("SVG"), *self._drawn(sheet, self.said.emit, self.said.emit)
+        )
 
     def take_file(self, path: Path, say: Say, refuse: Say) -> None:
         """Bring in a file: an SVG by its ending, or else a table of points.
 
-        ``say`` is told of it by name, ``refuse`` why it could not be read.
+        ``say`` is told by name what came in, ``refuse`` why nothing did.
         """
         sheet = self.session.sheet
 
@@ -112,11 +118,11 @@ class CurveExchange(QObject):
 
         tell_done, tell_refused = partial(tell, say), partial(tell, refuse)
         if kind_of(path) == "drawing":
-            job, how = Job("drawing", str(path), sheet=sheet), self._drawn(sheet, tell_done)
+            job, how = Job("drawing", str(path), sheet=sheet), self._drawn(sheet, tell_done, tell_refused)
             self._read(job, path.name, tell_refused, *how)
         else:
             job = Job("points", str(path))
-            self._read(job, path.name, tell_refused, partial(self._take_places, tell_done))
+            self._read(job, path.name, tell_refused, partial(self._take_places, tell_done, tell_refused))
 
     def _read_text(self, job: Job, text: str, name: str, *how: Any) -> None:
         content = text[: LIMITS[job.kind] + 1].encode("utf-8", "replace")  # what is more is refused anyway
@@ -126,75 +132,81 @@ class CurveExchange(QObject):
         """Read what is short at once, and else beside: meanwhile one may go on."""
         self.session.incoming.read(job, name, take, refuse, *prepare)
 
-    def _drawn(self, sheet: Sheet, say: Say) -> tuple[Callable[[Any], None], Prepare]:
+    def _drawn(self, sheet: Sheet, say: Say, refuse: Say) -> tuple[Callable[[Any], None], Prepare]:
         """What takes a drawing onto the sheet, and what prepares it."""
-        return partial(self._take_drawing, sheet, say), partial(_with_edit, self.session.document, sheet.id)
+        take = partial(self._take_drawing, sheet, say, refuse)
+        return take, partial(_with_edit, self.session.document, sheet.id)
 
     def _take_fitted(self, sheet: Sheet, result: Fitted) -> None:
         say, edit = self.said.emit, add_figures(sheet.id, [result.curve])
         if self._is_still(sheet, say) and self._add(edit, _("Fit a curve"), say):
             say(fit_words(result.curve, result.points, result.error))
 
-    def _take_places(self, say: Say, points: Array) -> None:
+    def _take_places(self, say: Say, refuse: Say, points: Array) -> None:
         places = points.tolist()
         curve = self.focus.selected
         if curve is not None and not goes_round(curve):
-            done = self._apply(add_points(curve.id, [(x, y) for x, y in places]), _("Add points"), say)
+            done = self._apply(add_points(curve.id, [(x, y) for x, y in places]), _("Add points"), refuse)
         else:
             curve_points = tuple(CurvePoint("", x, y) for x, y in places)
             curve = replace(self._model(), points_world=curve_points)
-            done = self._add(add_figures(self.session.sheet.id, [curve]), _("Add points"), say)
+            done = self._add(add_figures(self.session.sheet.id, [curve]), _("Add points"), refuse)
         if done:
             text = ngettext("{n} point added.", "{n} points added.", len(places))
             say(text.format(n=len(places)))
 
-    def _take_drawing(self, sheet: Sheet, say: Say, prepared: tuple[Imported, Edit]) -> None:
+    def _take_drawing(self, sheet: Sheet, say: Say, refuse: Say, prepared: tuple[Imported, Edit]) -> None:
         """Put what an SVG held on the sheet, or say why there is nothing."""
         drawing, edit = prepared
-        if not self._is_still(sheet, say):
+        if not self._is_still(sheet, refuse):
             return
         if not drawing.figures:
-            say(" ".join(drawing.notes) or _("This SVG contains no figures."))
+            refuse(" ".join(drawing.notes) or _("This SVG contains no figures."))
             return
-        if self._add(edit, _("Import SVG"), say):
+        if self._add(edit, _("Import SVG"), refuse):
             count = len(drawing.figures)
             said = [ngettext("{n} figure imported.", "{n} figures imported.", count).format(n=count)]
+            if abs(drawing.scale - 1.0) > _UNSCALED:
+                text = _("Scaled to {percent} % to fit the sheet.")
+                said.append(text.format(percent=_percent(drawing.scale)))
             if drawing.error > 0:
                 text = _("Arcs and curved outlines are approximated within {error}.")
                 said.append(text.format(error=at_most(drawing.error)))
             say(" ".join([*said, *drawing.notes]))
 
-    def _is_still(self, sheet: Sheet, say: Say) -> bool:
+    def _is_still(self, sheet: Sheet, refuse: Say) -> bool:
         """Whether the sheet that something was read for is still the current one; says so if not."""
         if self.session.sheet.id == sheet.id:
             return True
-        say(_("Another sheet was opened before this had been read; import it again here."))
+        refuse(_("Another sheet was opened before this had been read; import it again here."))
         return False
 
-    def _add(self, edit: Edit, name: str, say: Say) -> bool:
+    def _add(self, edit: Edit, name: str, refuse: Say) -> bool:
         """Do an edit that adds figures, and select them."""
         known = {figure.id for figure in self.session.sheet.figures}
-        if not self._apply(edit, name, say):
+        if not self._apply(edit, name, refuse):
             return False
-        made = [figure.id for figure in self.session.sheet.figures if figure.id not in known]
-        self.session.update_state(selection=tuple(made), active=made[-1])
+        added = [figure.id for figure in self.session.sheet.figures if figure.id not in known]
+        self.session.update_state(selection=tuple(added), active=added[-1])
         return True
 
-    def _apply(self, edit: Edit, name: str, say: Say) -> bool:
+    def _apply(self, edit: Edit, name: str, refuse: Say) -> bool:
         try:
             self.session.apply(edit, name)
         except DocumentError as problem:
-            say(problem.short)
+            refuse(problem.short)
             return False
         return True
+
+
+def _percent(scale: float) -> str:
+    percent = 100.0 * scale
+    return f"{percent:,.0f}" if percent >= 10.0 else f"{percent:.2g}"
 
 
 def _with_edit(document: Document, sheet: str, result: Any) -> tuple[Imported, Edit]:
     """A drawing, and the edit that brings it onto the sheet, which for a large one takes its time.
 
-    Raises: ValueError with one sentence.
+    Raises: DocumentError.
     """
-    try:
-        return result, foreseen(add_drawing(sheet, result.figures, result.palette), document)
-    except DocumentError as problem:
-        raise ValueError(problem.short) from None
+    return result, foreseen(add_drawing(sheet, result.figures, result.palette), document)

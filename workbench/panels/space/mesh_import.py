@@ -7,6 +7,7 @@ from pathlib import Path
 from msgspec.structs import replace
 
 from workbench.document.building import Edit, foreseen
+from workbench.document.check import MAX_NAME
 from workbench.document.errors import DocumentError
 from workbench.document.model import Document
 from workbench.document.samples.examples import blank_sheet
@@ -22,7 +23,6 @@ from workbench.rendering.scene.around import camera_around
 from workbench.session.session import Session
 
 _SIZE_PX = (320, 240)
-_LONGEST_NAME = 200
 _COLOUR = 0x9CC8E6
 
 Say = Callable[[str], object]
@@ -39,7 +39,7 @@ class MeshImport:
 
         ``say`` is told what came in, ``refuse`` why nothing did.
         """
-        name, sheet = path.stem[:_LONGEST_NAME], self._session.sheet
+        name, sheet = path.stem[:MAX_NAME], self._session.sheet
         beside = "" if sheet.scene is None else sheet.id
         self._session.incoming.read(
             Job("mesh", str(path)),

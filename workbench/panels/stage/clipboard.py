@@ -77,7 +77,7 @@ def _job_held(sheet: Sheet) -> Job | None:
 
 
 def _placed(document: Document, sheet: Sheet, pasted: Imported) -> Edit:
-    """The edit that puts figures on the sheet. Raises: ValueError with one sentence."""
+    """The edit that puts figures on the sheet. Raises: DocumentError."""
     taken = {_alone(figure) for figure in sheet.figures}
     figures = [without_ids(each) for each in pasted.figures]
     while taken.intersection(map(_alone, figures)):
@@ -85,10 +85,7 @@ def _placed(document: Document, sheet: Sheet, pasted: Imported) -> Edit:
     edit = add_drawing(sheet.id, figures, pasted.palette)
     if pasted.motion is not None:
         edit = add_moving_figures(sheet.id, figures, pasted.figures, pasted.motion)
-    try:
-        return foreseen(edit, document)
-    except DocumentError as problem:
-        raise ValueError(problem.short) from None
+    return foreseen(edit, document)
 
 
 def _alone(figure: AnyFigure) -> AnyFigure:

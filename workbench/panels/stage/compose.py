@@ -29,7 +29,7 @@ from workbench.widgets.canvas.drawing import PenStroke
 from workbench.widgets.canvas.overlay import Cell, Overlay
 from workbench.widgets.look.tokens import Tokens
 
-_MOST_HANDLES = 2000  # of several figures; more of them cover the picture, and take longer than a frame
+_MOST_POINTS = 2000  # of several figures; more of them cover the picture, and take longer than a frame
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -129,7 +129,7 @@ def _name(sheet: Sheet, slug: str, ink: Ink) -> Word:
 def with_selection(overlay: Overlay, sheet: Sheet, selected: list[AnyFigure], held: str) -> Overlay:
     """The marks with outlines of what is selected, and with its handles where these are not too many."""
     points = sum(len(figure.points_world) for figure in selected)
-    held_by = selected if len(selected) == 1 or points <= _MOST_HANDLES else []
+    held_by = selected if len(selected) == 1 or points <= _MOST_POINTS else []
     return replace(
         overlay,
         outlined=tuple(chain.from_iterable(outlines(sheet, selected))),

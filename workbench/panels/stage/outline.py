@@ -37,7 +37,9 @@ def outlines(sheet: Sheet, figures: Sequence[AnyFigure]) -> list[tuple[Curve, ..
     views = _unclipped(sheet.views)
     return _outlines.get_all(
         [(views, figure) for figure in figures],
-        lambda missing: _made(replace(sheet, figures=tuple(figures[k] for k in missing), views=views)),
+        lambda missing: _polylines_by_figure(
+            replace(sheet, figures=tuple(figures[k] for k in missing), views=views)
+        ),
     )
 
 
@@ -49,7 +51,7 @@ def _unclipped(views: tuple[View, ...]) -> tuple[View, ...]:
 def clipped_outline(sheet: Sheet, figure: AnyFigure) -> tuple[Curve, ...]:
     """As ``outline``, clipped to the clip windows too, by the sheet's clippers."""
     key = sheet.views, sheet.line_clipper, sheet.polygon_clipper, figure
-    return _clipped.get(key, lambda: _made(replace(sheet, figures=(figure,)))[0])
+    return _clipped.get(key, lambda: _polylines_by_figure(replace(sheet, figures=(figure,)))[0])
 
 
 def prepare(sheet: Sheet, figure: AnyFigure) -> None:
@@ -61,17 +63,17 @@ _outlines: Memory[tuple[Curve, ...]] = Memory(32 << 20)
 _clipped: Memory[tuple[Curve, ...]] = Memory(8 << 20)
 
 
-def _made(sheet: Sheet) -> list[tuple[Curve, ...]]:
+def _polylines_by_figure(sheet: Sheet) -> list[tuple[Curve, ...]]:
     """The polylines of each figure of a sheet: its strokes, joined where one begins at the end of another."""
     segments = seen_segments(sheet, _FLATNESS_PX)
     order = np.argsort(segments.of, kind="stable")
     table, of = segments.table[order], segments.of[order]
     parted = (table[1:, :2] != table[:-1, 2:]).any(axis=1) | (of[1:] != of[:-1])
     begins = np.flatnonzero(np.append(True, parted)[: len(of)])
-    made: list[list[Curve]] = [[] for _figure in sheet.figures]
+    polylines: list[list[Curve]] = [[] for _figure in sheet.figures]
     for begin, end in pairwise((*begins.tolist(), len(of))):
-        made[of[begin]].append(np.vstack([table[begin, :2], table[begin:end, 2:]]))
-    return list(map(tuple, made))
+        polylines[of[begin]].append(np.vstack([table[begin, :2], table[begin:end, 2:]]))
+    return list(map(tuple, polylines))
 
 
 def distance_to(curves: tuple[Curve, ...], x: float, y: float) -> float:

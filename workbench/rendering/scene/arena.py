@@ -151,8 +151,8 @@ def _counted(calls: Sequence[Call], stop: Stop | None) -> tuple[int, dict[str, i
     for call in calls:
         work = counts(call.entry.function, *call.arguments, stop=stop, compiling=False)
         tests += work.tests
-        for name, beginnings in call.entry.counted.items():
-            visits = (n for title, n in work.block_visits.items() if title.startswith(tuple(beginnings)))
+        for name, each in call.entry.counted.items():
+            visits = (n for title, n in work.block_visits.items() if title.startswith(each.blocks))
             counted[name] += sum(visits)
     return tests, counted
 
@@ -162,8 +162,8 @@ def _kept(calls: Sequence[Call], counted: dict[str, int]) -> dict[str, int]:
     kept: dict[str, int] = {}
     for call in calls:
         names = dict(zip(call.entry.parameter_names, call.arguments, strict=True))
-        for what, expression in call.entry.keeps.items():
-            kept[what] = kept.get(what, 0) + int(eval(expression, {"counted": counted}, names))
+        for what, each in call.entry.keeps.items():
+            kept[what] = kept.get(what, 0) + int(eval(each.most, {"counted": counted}, names))
     return kept
 
 

@@ -1,24 +1,25 @@
-"""What methods for hidden surfaces count and keep, in words, in the singular where there is one."""
+"""What methods for hidden surfaces count and keep, in words."""
 
+from collections.abc import Mapping
+
+from workbench.algorithms import catalogue
+from workbench.algorithms.counted import Counted, Kept
 from workbench.language import _, ngettext
+from workbench.rendering.scene.arena import MethodRun
 
 
-def counted_text(n: int, what: str) -> str:
-    """``n`` of ``what`` an entry counts or keeps, by the name that it has there."""
-    text = {
-        "boxes": ngettext("{n:,} box", "{n:,} boxes", n),
-        "boxes divided": ngettext("{n:,} box divided", "{n:,} boxes divided", n),
-        "cells": ngettext("{n:,} cell", "{n:,} cells", n),
-        "cells divided": ngettext("{n:,} cell divided", "{n:,} cells divided", n),
-        "depths": ngettext("{n:,} depth", "{n:,} depths", n),
-        "edges": ngettext("{n:,} edge", "{n:,} edges", n),
-        "flags": ngettext("{n:,} flag", "{n:,} flags", n),
-        "nodes": ngettext("{n:,} node", "{n:,} nodes", n),
-        "pieces": ngettext("{n:,} piece", "{n:,} pieces", n),
-        "splits": ngettext("{n:,} split", "{n:,} splits", n),
-        "squares": ngettext("{n:,} square", "{n:,} squares", n),
-        "squares divided": ngettext("{n:,} square divided", "{n:,} squares divided", n),
-        "surfaces": ngettext("{n:,} surface", "{n:,} surfaces", n),
-        "swaps and splits": ngettext("{n:,} swap or split", "{n:,} swaps and splits", n),
-    }.get(what)
-    return (text or _("{n:,} {what}")).format(n=n, what=_(what))
+def counted_texts(run: MethodRun) -> list[str]:
+    """How many there were of each thing that the method counts."""
+    return _texts(run.counted, catalogue.get(run.method).counted)
+
+
+def kept_texts(run: MethodRun) -> list[str]:
+    """How many there are at most of each thing that the method keeps."""
+    return _texts(run.keeps, catalogue.get(run.method).keeps)
+
+
+def _texts(numbers: Mapping[str, int], declared: Mapping[str, Counted] | Mapping[str, Kept]) -> list[str]:
+    return [
+        _("{n:,} {what}").format(n=n, what=ngettext(declared[plural].singular, plural, n))
+        for plural, n in numbers.items()
+    ]

@@ -10,7 +10,7 @@ from workbench.algorithms import catalogue
 from workbench.algorithms.numerals import with_minus
 from workbench.language import _
 from workbench.rendering.scene.arena import MethodRun, space_of
-from workbench.rendering.scene.counted import counted_text
+from workbench.rendering.scene.counted import counted_texts
 from workbench.rendering.scene.growth import Growth
 
 NOT_YET = "–"
@@ -107,12 +107,12 @@ def _precision(measures: Measures) -> SpaceRow:
     said = [_("that of the coordinates: the same for a picture of any size"), _("that of the pixels")]
     for side, methods in enumerate(_sides(measures.twice)):
         divided = [
-            _("{title} {counted}, then {m:,}").format(
-                title=title_of(each), counted=counted_text(n, what), m=measures.twice[each].counted[what]
-            )
+            _("{title} {counted}, then {m:,}").format(title=title_of(each), counted=counted, m=m)
             for each in methods
             if each in measures.runs
-            for what, n in list(measures.runs[each].counted.items())[-1:]
+            for counted, m in list(
+                zip(counted_texts(measures.runs[each]), measures.twice[each].counted.values(), strict=True)
+            )[-1:]
         ]
         if divided:
             said[side] += _("; here, and at twice the width and height: {divided}").format(

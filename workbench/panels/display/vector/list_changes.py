@@ -52,7 +52,7 @@ class ListChanges:
                     else:
                         self._apply(strokes, _("Reorder the display list"), run)
         except DocumentError as error:
-            self._say(str(error))
+            self._say(error.short)
 
     def type(self, run: VectorRun, address: int, column: int, number: float) -> None:
         """Put a number that was typed into the list."""
@@ -81,7 +81,7 @@ class ListChanges:
                 rows = with_place(rows, address, x, y)
             self._apply(drawn_by(rows), _("Change the display list"), run)
         except DocumentError as error:
-            self._say(str(error))
+            self._say(error.short)
 
     def keep_order(self, run: VectorRun) -> bool:
         """Let the sheet draw its strokes in the order of the run; whether it does."""
@@ -98,7 +98,7 @@ class ListChanges:
                 set_strokes(self._session.sheet, old, strokes), _("Keep the order of the display list")
             )
         except DocumentError as error:
-            self._say(str(error))
+            self._say(error.short)
             return False
         return True
 

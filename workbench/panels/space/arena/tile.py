@@ -22,7 +22,7 @@ from PySide6.QtWidgets import QToolButton, QWidget
 from workbench.algorithms import catalogue
 from workbench.language import _, ngettext
 from workbench.rendering.scene.arena import TRUTH, MethodRun, space_of
-from workbench.rendering.scene.counted import counted_text
+from workbench.rendering.scene.counted import counted_texts, kept_texts
 from workbench.rendering.scene.growth import Growth
 from workbench.rendering.scene.spaces import NOT_YET, title_of
 from workbench.widgets.canvas.overlay import Cell
@@ -107,8 +107,7 @@ class MethodTile(QWidget):
         run, growth = self.state.run, self.state.growth
         if run is None:
             return ()
-        divided = [counted_text(n, what) for what, n in run.counted.items()]
-        kept = [counted_text(n, what) for what, n in run.keeps.items()]
+        divided, kept = counted_texts(run), kept_texts(run)
         return (
             ngettext("{n:,} test", "{n:,} tests", run.tests).format(n=run.tests),
             NOT_YET if growth is None else seconds_text(growth.at_ten, growth.measured),

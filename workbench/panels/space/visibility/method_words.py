@@ -6,7 +6,7 @@ from workbench.algorithms import catalogue
 from workbench.algorithms.visibility.surfaces import NOTHING
 from workbench.language import _
 from workbench.rendering.scene.arena import MethodRun
-from workbench.rendering.scene.counted import counted_text
+from workbench.rendering.scene.counted import counted_texts, kept_texts
 from workbench.rendering.scene.spaces import fails_where
 
 
@@ -26,10 +26,10 @@ def method_words(measures: MethodMeasures) -> str:
         (_("Picture"), _picture(run)),
         (_("Comparisons"), _("{n:,}; the depth buffer makes {m:,}.").format(n=run.tests, m=buffer.tests)),
     ]
-    if divided := _listed(run.counted):
-        rows.append((_("Divides"), divided + "."))
+    if divided := counted_texts(run):
+        rows.append((_("Divides"), ", ".join(divided) + "."))
     kept = _("{what}; the depth buffer keeps {other}.").format(
-        what=_listed(run.keeps) or _("nothing"), other=_listed(buffer.keeps)
+        what=", ".join(kept_texts(run)) or _("nothing"), other=", ".join(kept_texts(buffer))
     )
     rows.append((_("Keeps at most"), kept))
     if entry.tie:
@@ -56,7 +56,3 @@ def _picture(run: MethodRun) -> str:
         return _("All {covered:,} covered pixels show what ray casting shows.").format(covered=covered)
     said = _("{wrong:,} pixels show another surface than by ray casting: where {reason}.")
     return said.format(wrong=wrong, reason=fails_where(run.method))
-
-
-def _listed(counts: dict[str, int]) -> str:
-    return ", ".join(counted_text(n, what) for what, n in counts.items())

@@ -352,7 +352,9 @@ class VisibilityPage(PlainPage, QWidget):
             return
         try:
             self.session.apply(framed(sheet), _("Frame the scene"))
-        except (DocumentError, ValueError) as problem:
+        except DocumentError as problem:
+            self.hover_text.emit(problem.short)
+        except ValueError as problem:
             self.hover_text.emit(str(problem))
 
     def _show_example(self) -> None:
