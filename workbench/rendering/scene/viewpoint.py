@@ -114,8 +114,8 @@ class Viewpoint(NamedTuple):
 
 
 def _clipped(points: Array, triangles: Index, planes: Array) -> tuple[Array, Index, Index]:
-    """As ``clip_triangles``, which copies all that it gets at each plane, so that it gets only what a plane may
-    cut; and without what is too near the eye."""
+    """As ``clip_triangles``, without what is too near the eye; as each plane copies all that is given to be
+    clipped, only what a plane may cut is."""
     outside = [points @ plane < 0 for plane in planes]
     too_near = points[:, 3] <= LEAST_W
     asked, gone = np.empty(len(triangles), bool), np.zeros(len(triangles), bool)
