@@ -263,7 +263,7 @@ def test_well_known_models_are_read_as_trimesh_reads_them(name: str) -> None:
         (
             b"ply\nformat ascii 1.0\nelement vertex 999999999999\nelement face 1\nend_header\n",
             ".ply",
-            "999,999,999,999 vertices and 1 face, and at most 4,000,000",
+            "999,999,999,999 vertices and 1 face; at most 4,000,000",
         ),
         (b"Dear reader", ".off", "not an OFF"),
         (b"OFF\n4 1 0\n0 0 0\n", ".off", "announces 4 vertices and 1 face, but ends before"),

@@ -25,27 +25,30 @@ def ply_head(form: bytes, vertices: object, faces: object) -> bytes:
     return head % (form, str(vertices).encode(), XYZ, str(faces).encode(), CORNERS)
 
 
-ANNOUNCED = (
-    "The mesh has 1,000,000 vertices and 3,000,000 faces, which take at least 72,000,000 bytes; a picture "
+BYTES = (
+    "The mesh has 3,000,000 vertices and 1,000,000 faces, which take at least 88,000,000 bytes; a picture "
+    "can keep at most 67,108,864. Choose a simpler one."
+)
+TRIANGLES = (
+    "The mesh has 3,000,000 faces; a scene can have at most 1,500,000 triangles. Choose a simpler one."
 )
 HEADS = {
-    "binary.ply": ply_head(b"binary_little_endian", 1_000_000, 3_000_000),
-    "text.ply": ply_head(b"ascii", 1_000_000, 3_000_000),
-    "text.off": b"OFF\n# made by hand\n\n1000000 3000000 0\n",
+    "binary.ply": (ply_head(b"binary_little_endian", 1_000_000, 3_000_000), TRIANGLES),
+    "text.ply": (ply_head(b"ascii", 3_000_000, 1_000_000), BYTES),
+    "text.off": (b"OFF\n# made by hand\n\n1000000 3000000 0\n", TRIANGLES),
 }
 
 
 @pytest.mark.parametrize("name", HEADS)
 def test_a_head_that_announces_too_much_is_enough(name: str, tmp_path: Path) -> None:
     """Nothing follows it, which would be said if it were read."""
-    (tmp_path / name).write_bytes(HEADS[name])
-    with pytest.raises(
-        ValueError, match=ANNOUNCED + r"can keep at most 67,108,864\. Choose a simpler one"
-    ) as said:
+    head, sentence = HEADS[name]
+    (tmp_path / name).write_bytes(head)
+    with pytest.raises(ValueError, match="The mesh has ") as said:
         read_now(Job("mesh", str(tmp_path / name)))
-    assert str(said.value).endswith(".")
+    assert str(said.value) == sentence
     with pytest.raises(ValueError, match="ends before"):  # where it need not be kept
-        read_mesh(HEADS[name], Path(name).suffix)
+        read_mesh(head, Path(name).suffix)
 
 
 def text_stl(facets: int, corner: str = "0 0 0") -> bytes:
@@ -58,14 +61,16 @@ def text_stl(facets: int, corner: str = "0 0 0") -> bytes:
 def test_an_stl_is_refused_by_the_number_of_its_triangles(
     content: bytes, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(mesh_limits, "MAX_BLOB_BYTES", 5_600)
+    monkeypatch.setattr(mesh_limits, "MOST_TRIANGLES", 200)
 
     def fail(*_given: object) -> None:
         raise AssertionError("it is read")
 
     monkeypatch.setattr(triangle_files, "_read", fail)
     count = "400" if content.startswith(b"solid") else "360"
-    said = rf"^The mesh has {count} triangles; a picture can keep at most 200\. Choose a simpler one\.$"
+    said = (
+        rf"^The mesh has {count} triangles; a scene can have at most 200 triangles\. Choose a simpler one\.$"
+    )
     with pytest.raises(ValueError, match=said):
         read_mesh(content, ".stl", to_keep=True)
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 
+from workbench.document.scene.laws import MOST_TRIANGLES
 from workbench.document.scene.meshes import bytes_of_counts
 from workbench.document.storage.blobs import MAX_BLOB_BYTES
 from workbench.language import _, ngettext
@@ -28,17 +29,17 @@ def refuse_counts(vertices: int | None, faces: int) -> None:
 
 
 def refuse_unkept(vertices: int | None, faces: int) -> None:
-    """Where it has more, or takes more bytes even as triangles than a document keeps."""
+    """Where it has more, or, even if each face is a triangle, more than a scene has or a document keeps."""
+    if vertices is not None:
+        refuse_counts(vertices, faces)
+    if faces > MOST_TRIANGLES:
+        sentence = _(
+            "The mesh has {faces}; a scene can have at most {most:,} triangles. Choose a simpler one."
+        )
+        of = _of_triangles if vertices is None else of_faces
+        raise ValueError(sentence.format(faces=of(faces), most=MOST_TRIANGLES))
     if vertices is None:
-        # A surface that is closed has half as many vertices as triangles.
-        most = MAX_BLOB_BYTES // bytes_of_counts(1, 2, 6) * 2
-        if faces > most:
-            sentence = _(
-                "The mesh has {triangles}; a picture can keep at most {most:,}. Choose a simpler one."
-            )
-            raise ValueError(sentence.format(triangles=_of_triangles(faces), most=most))
         return
-    refuse_counts(vertices, faces)
     size = bytes_of_counts(vertices, faces, 3 * faces)
     if size > MAX_BLOB_BYTES:
         sentence = _(
