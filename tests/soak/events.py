@@ -306,6 +306,8 @@ def dock_tab(hand: Hand) -> str:
 @in_front
 def resize(hand: Hand) -> str:
     width, height = hand.rng.randint(640, 1400), hand.rng.randint(420, 860)
+    if hand.window.isFullScreen():  # nobody can; Qt would call it small while it stays large on the screen
+        return "nothing, as it fills the screen"
     hand.window.resize(width, height)
     return f"{width} x {height}"
 
