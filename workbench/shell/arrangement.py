@@ -9,6 +9,7 @@ from workbench.panels.panel import DockPart
 from workbench.shell.dock_area import DockArea
 from workbench.shell.reading import Reading
 from workbench.shell.settings import Settings
+from workbench.widgets.look.split import Split
 
 
 @dataclass
@@ -130,10 +131,12 @@ class Arrangements:
         self.current = ""
 
     def reset(self) -> None:
-        """Put the docks of the current workspace where they were at first."""
+        """Put the docks of the current workspace, and the lines between parts, where they were at first."""
         slug = self.current
         if not slug:
             return
+        for split in self._workspaces[slug].area.findChildren(Split):
+            split.reset()
         self.leave()
         self._settings.forget_arrangement(slug)
         self._renew(self._workspaces[slug])

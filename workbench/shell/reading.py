@@ -4,10 +4,11 @@ from collections.abc import Collection, Mapping, Sequence
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QResizeEvent
-from PySide6.QtWidgets import QSplitter, QTabWidget, QToolButton, QWidget
+from PySide6.QtWidgets import QTabWidget, QToolButton, QWidget
 
 from workbench.language import _
 from workbench.widgets.look.icons import set_icon
+from workbench.widgets.look.split import Split
 
 SOURCE, HAND_TABLE, VARIABLES = "source", "hand_table", "variables"
 _BESIDE = (SOURCE, "about")
@@ -17,7 +18,7 @@ _STACKED_SHARES = (0.68, 0.32)
 _TABLE_SHARES = (500, 500)
 
 
-class Reading(QSplitter):
+class Reading(Split):
     """The ``middle`` of a workspace, and beside it source and tables, side by side in ``room`` pixels.
 
     ``parts``: title and widget of each view by the name of its dock; where they came from takes them back.
@@ -27,8 +28,7 @@ class Reading(QSplitter):
     ended = Signal()
 
     def __init__(self, middle: QWidget, parts: Mapping[str, tuple[str, QWidget]], room: int) -> None:
-        super().__init__(Qt.Orientation.Horizontal)
-        self.setChildrenCollapsible(False)
+        super().__init__()
         self.addWidget(middle)
         middle.show()
         self.button = QToolButton()
@@ -39,18 +39,16 @@ class Reading(QSplitter):
         self.button.setToolTip(_("Back to the docks as they were (R)"))
         set_icon(self.button, "book-open")
         self.button.clicked.connect(self.ended)
-        self._half = QSplitter()
+        self._half = Split()
         source = self._tabs(parts, _BESIDE)
         source.setCornerWidget(self.button)
         self._half.addWidget(source)
-        self._tables = QSplitter(Qt.Orientation.Vertical)
+        self._tables = Split(Qt.Orientation.Vertical)
         self._variables = parts[VARIABLES]
         self._upper, self._lower = (self._tabs(parts, (name,)) for name in (HAND_TABLE, VARIABLES))
         self._tables.addWidget(self._upper)
         self._tables.addWidget(self._lower)
         self._half.addWidget(self._tables)
-        for each in (self._half, self._tables):
-            each.setChildrenCollapsible(False)
         self.addWidget(self._half)
         self._narrow = False
         self._arrange(room)

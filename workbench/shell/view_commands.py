@@ -140,7 +140,7 @@ def view_commands() -> tuple[Command, ...]:
             lambda w: w.reset_workspace(),
             (),
             "layout",
-            _("Put every dock back where it was originally"),
+            _("Put every dock, and every line between panes, back where it was originally"),
             "view",
         ),
     )

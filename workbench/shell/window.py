@@ -336,7 +336,7 @@ class MainWindow(QMainWindow):
             show_hints(self)
 
     def reset_workspace(self) -> None:
-        """Put every dock back where it was at first."""
+        """Put every dock, and every line between parts, back where it was at first."""
         self.views.together()
         self.arrangements.reset()
 

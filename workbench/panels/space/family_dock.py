@@ -1,7 +1,7 @@
 """The family of projections as a tree: which is a kind of which; the present one is marked."""
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QLabel, QSplitter, QTreeWidget, QTreeWidgetItem, QWidget
+from PySide6.QtWidgets import QLabel, QTreeWidget, QTreeWidgetItem, QWidget
 
 from workbench.algorithms.numerals import with_minus
 from workbench.algorithms.projection import classify
@@ -11,6 +11,7 @@ from workbench.document.scene.viewing import projection_matrix, view_matrix
 from workbench.language import _, reason_of
 from workbench.panels.space.camera_card import families
 from workbench.widgets.look.scrolled import scrolled
+from workbench.widgets.look.split import Split
 
 _SLUG = Qt.ItemDataRole.UserRole
 
@@ -68,12 +69,11 @@ class FamilyTree(QTreeWidget):
             self.setCurrentItem(self._rows[slug])
 
 
-class FamilyDock(QSplitter):
+class FamilyDock(Split):
     """The tree, and under it what kind of projection the scene is seen by, read off its matrix, in words."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(Qt.Orientation.Vertical, parent)
-        self.setChildrenCollapsible(False)
         self.tree = FamilyTree()
         self.words = QLabel()
         self.words.setWordWrap(True)

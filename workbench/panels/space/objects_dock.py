@@ -11,7 +11,6 @@ from PySide6.QtWidgets import (
     QListWidgetItem,
     QMenu,
     QPushButton,
-    QSplitter,
     QToolButton,
     QVBoxLayout,
     QWidget,
@@ -38,6 +37,7 @@ from workbench.panels.space.sweeps import extruded, revolved
 from workbench.panels.stage.card import kind_title
 from workbench.session.session import Session
 from workbench.widgets.look.icons import set_icon
+from workbench.widgets.look.split import Split
 
 COLOURS = (
     (_("Blue"), 0x9CC8E6),
@@ -117,8 +117,7 @@ class ObjectsDock(QWidget):
         column.setSpacing(0)
         column.addWidget(self.list, 1)
         column.addLayout(row)
-        split = QSplitter(Qt.Orientation.Vertical)
-        split.setChildrenCollapsible(False)
+        split = Split(Qt.Orientation.Vertical)
         split.addWidget(top)
         split.addWidget(self.fields)
         whole = QVBoxLayout(self)

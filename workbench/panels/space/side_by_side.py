@@ -1,19 +1,20 @@
 """Picture and outside view side by side, one above the other, or either alone."""
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QSplitter, QWidget
+from PySide6.QtWidgets import QWidget
+
+from workbench.widgets.look.split import Split
 
 _LEAST_BESIDE_PX = 560
 
 
-class SideBySide(QSplitter):
+class SideBySide(Split):
     """One above the other only where the room is taller than wide; the picture alone where it is narrow."""
 
     def __init__(self, eye: QWidget, outside: QWidget) -> None:
         super().__init__(Qt.Orientation.Horizontal)
         self._eye, self._outside = eye, outside
         self.which = "both"
-        self.setChildrenCollapsible(False)
         for at, view in enumerate((eye, outside)):
             self.addWidget(view)
             self.setStretchFactor(at, 1)

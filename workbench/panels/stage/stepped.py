@@ -5,7 +5,7 @@ from functools import partial
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QApplication, QMenu, QSplitter, QWidget
+from PySide6.QtWidgets import QApplication, QMenu, QWidget
 
 from workbench.language import _
 from workbench.panels.stage.actions import PanelCommand
@@ -22,6 +22,7 @@ from workbench.session.session import Session
 from workbench.widgets.canvas.overlay import Overlay
 from workbench.widgets.canvas.pixel_canvas import PixelCanvas
 from workbench.widgets.canvas.surface import CanvasSurface
+from workbench.widgets.look.split import Split
 
 
 class SteppedPanel(FigurePanel):
@@ -53,8 +54,7 @@ class SteppedPanel(FigurePanel):
     def start(self, invitation: str, commands: Sequence[PanelCommand] = ()) -> None:
         """Lay out and connect what the panel has made."""
         self.exporter = self.paper = exporter = Exporter(self.view, self)
-        split = QSplitter(Qt.Orientation.Horizontal)
-        split.setChildrenCollapsible(False)
+        split = Split(Qt.Orientation.Horizontal)
         split.addWidget(self.canvas)
         split.addWidget(self.second)
         exporter.said.connect(self.hover_text)

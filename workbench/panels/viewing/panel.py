@@ -11,7 +11,7 @@ from PySide6.QtGui import (
     QResizeEvent,
     QShowEvent,
 )
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QMenu, QSplitter, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QMenu, QVBoxLayout, QWidget
 
 from workbench.algorithms.marks import Mark
 from workbench.algorithms.viewing.window_to_viewport_point import alike
@@ -49,6 +49,7 @@ from workbench.rendering.subjects.window import (
     view_of,
 )
 from workbench.session.session import Session
+from workbench.widgets.look.split import Split
 from workbench.widgets.look.tokens import theme_changed, tokens
 
 EXAMPLE = "view-house"
@@ -96,8 +97,7 @@ class ViewingPanel(PlainPanel, QWidget):
     def _lay_out(self) -> None:
         self._bar = QFrame()
         self._bar.setFixedWidth(TOOL_BAR_PX)
-        split = QSplitter(Qt.Orientation.Horizontal)
-        split.setChildrenCollapsible(False)
+        split = Split(Qt.Orientation.Horizontal)
         split.addWidget(self.left)
         split.addWidget(self.right)
         split.setSizes([1000, 1000])

@@ -2,9 +2,10 @@
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QPainter, QPaintEvent, QResizeEvent
-from PySide6.QtWidgets import QFrame, QScrollArea, QSplitter, QTabBar, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFrame, QScrollArea, QTabBar, QVBoxLayout, QWidget
 
 from workbench.language import _
+from workbench.widgets.look.split import Split
 from workbench.widgets.look.tokens import colour, tokens
 from workbench.widgets.tables.structure_table import StructureTable
 from workbench.widgets.tables.variable_table import VariableTable
@@ -33,10 +34,9 @@ class Values(QWidget):
         self._area.setWidgetResizable(True)
         self._area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._area.setWidget(structures)
-        both = QSplitter(Qt.Orientation.Vertical)
+        both = Split(Qt.Orientation.Vertical)
         both.addWidget(variables)
         both.addWidget(self._area)
-        both.setChildrenCollapsible(False)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)

@@ -8,7 +8,6 @@ from PySide6.QtWidgets import (
     QLabel,
     QPushButton,
     QSizePolicy,
-    QSplitter,
     QVBoxLayout,
     QWidget,
 )
@@ -29,6 +28,7 @@ from workbench.rendering.subjects.colour_model import (
     setup_of,
 )
 from workbench.widgets.fields.number_field import NumberField, complaint_label
+from workbench.widgets.look.split import Split
 from workbench.widgets.look.tips import tell_choice
 from workbench.widgets.tube.colour_view import ColourView
 
@@ -110,8 +110,7 @@ class MaskView(QWidget):
         for widget in (self.kinds, self.pitch, self.across):
             head.addWidget(widget)
         head.addStretch(1)
-        both = QSplitter(Qt.Orientation.Horizontal)
-        both.setChildrenCollapsible(False)
+        both = Split(Qt.Orientation.Horizontal)
         both.addWidget(self.whole)
         both.addWidget(self.magnified)
         both.setSizes([1000, 1000])

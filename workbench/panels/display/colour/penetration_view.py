@@ -8,7 +8,6 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
     QPushButton,
-    QSplitter,
     QTableView,
     QVBoxLayout,
     QWidget,
@@ -35,6 +34,7 @@ from workbench.language import _
 from workbench.panels.display.colour.sliders import Coordinate, NumberSlider
 from workbench.rendering.subjects.colour_model import given, number
 from workbench.widgets.fields.number_field import complaint_label
+from workbench.widgets.look.split import Split
 from workbench.widgets.tables.structure_table import StructureModel
 from workbench.widgets.tables.table_columns import FittedColumns
 from workbench.widgets.tables.table_copies import CopiedTable
@@ -118,8 +118,7 @@ class PenetrationView(QWidget):
         column.setContentsMargins(8, 0, 0, 0)
         column.addWidget(self.words)
         column.addWidget(self.rows, 1)
-        both = QSplitter(Qt.Orientation.Horizontal)
-        both.setChildrenCollapsible(False)
+        both = Split(Qt.Orientation.Horizontal)
         both.addWidget(self.tube)
         both.addWidget(beside)
         both.setSizes([1000, 1000])

@@ -8,7 +8,7 @@ from msgspec.structs import replace
 from numpy.typing import NDArray
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QGuiApplication, QResizeEvent
-from PySide6.QtWidgets import QSplitter, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from workbench.algorithms.marks import Spot
 from workbench.display.flicker import (
@@ -40,6 +40,7 @@ from workbench.session.answers import Answers
 from workbench.session.session import Session
 from workbench.widgets.look.flash_warning import FlashWarning
 from workbench.widgets.look.flow_layout import FlowArea
+from workbench.widgets.look.split import Split
 from workbench.widgets.plots.flicker_map import FlickerMap
 from workbench.widgets.plots.light_plot import LightPlot, Trace
 from workbench.widgets.tables.table_copies import put_on_clipboard
@@ -96,14 +97,12 @@ class FlickerPage(PlainPage, QWidget):
         self.setFocusProxy(self.tube)
 
     def _lay_out(self) -> None:
-        above, below = QSplitter(Qt.Orientation.Horizontal), QSplitter(Qt.Orientation.Horizontal)
+        above, below = Split(Qt.Orientation.Horizontal), Split(Qt.Orientation.Horizontal)
         for split, parts in ((above, (self.tube, self.map)), (below, (self.light, self.measures))):
-            split.setChildrenCollapsible(False)
             for part in parts:
                 split.addWidget(part)
             split.setSizes([1000, 1000])
-        both = QSplitter(Qt.Orientation.Vertical)
-        both.setChildrenCollapsible(False)
+        both = Split(Qt.Orientation.Vertical)
         both.addWidget(above)
         both.addWidget(below)
         both.setSizes(_SHARES)

@@ -6,7 +6,7 @@ from typing import Any
 from msgspec.structs import replace
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QAction, QGuiApplication, QKeyEvent, QShowEvent
-from PySide6.QtWidgets import QLabel, QMenu, QSplitter, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QMenu, QVBoxLayout, QWidget
 
 from workbench.display.cutaway import STEPS, Part
 from workbench.document.subjects import Subject
@@ -25,6 +25,7 @@ from workbench.panels.stage.plain_page import PlainPage
 from workbench.rendering.subjects.gun import KIND, is_of_a_gun
 from workbench.session.session import Session
 from workbench.widgets.look.comfort import comfort
+from workbench.widgets.look.split import Split
 from workbench.widgets.stepping.step_bar import stepping_key
 from workbench.widgets.tube.gun_view import GunView
 from workbench.widgets.tube.steered_tube import SteeredTube
@@ -54,8 +55,7 @@ class GunPage(PlainPage, QWidget):
         self._waiting = False
         self._fault = ""
         self._step = 0
-        self.beside = QSplitter(Qt.Orientation.Horizontal)
-        self.beside.setChildrenCollapsible(False)
+        self.beside = Split(Qt.Orientation.Horizontal)
         for widget, share in ((self.drawing_view, 66), (self.tube, 34)):
             self.beside.addWidget(widget)
             self.beside.setStretchFactor(self.beside.count() - 1, share)

@@ -8,7 +8,7 @@ import numpy as np
 from msgspec.structs import replace
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QAction, QGuiApplication, QKeyEvent, QKeySequence, QResizeEvent, QShowEvent
-from PySide6.QtWidgets import QLabel, QSplitter, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 
 from workbench.display.colour_table import table_fault
 from workbench.exchange.diagrams import Derivation
@@ -29,6 +29,7 @@ from workbench.session.session import Session
 from workbench.widgets.look.comfort import comfort
 from workbench.widgets.look.flow_layout import FlowArea
 from workbench.widgets.look.icons import set_icon
+from workbench.widgets.look.split import Split
 from workbench.widgets.stepping.step_bar import stepping_key
 from workbench.widgets.tube.raster_view import RasterView
 from workbench.widgets.tube.timing_diagram import TimingDiagram
@@ -64,8 +65,7 @@ class RasterPage(PlainPage, QWidget):
         self.note = QLabel()
         self.note.setProperty("role", "muted")
         self.note.setWordWrap(True)
-        beside = QSplitter(Qt.Orientation.Horizontal)
-        beside.setChildrenCollapsible(False)
+        beside = Split(Qt.Orientation.Horizontal)
         for widget in (self.tube, self.system):
             beside.addWidget(widget)
             beside.setStretchFactor(beside.count() - 1, 1)

@@ -9,7 +9,6 @@ from PySide6.QtGui import QAction, QGuiApplication, QKeyEvent, QKeySequence, QRe
 from PySide6.QtWidgets import (
     QLabel,
     QSizePolicy,
-    QSplitter,
     QStackedWidget,
     QVBoxLayout,
     QWidget,
@@ -36,6 +35,7 @@ from workbench.session.session import Session
 from workbench.widgets.formulas.drawing_view import DrawingView
 from workbench.widgets.look.empty_view import EmptyView
 from workbench.widgets.look.icons import set_icon
+from workbench.widgets.look.split import Split
 from workbench.widgets.plots.refresh_plot import RefreshPlot
 from workbench.widgets.stepping.step_bar import stepping_key
 from workbench.widgets.tube.storage_view import StorageView
@@ -115,8 +115,7 @@ class VectorPage(PlainPage, QWidget):
         tube_column.addWidget(self.glass, 1)
         tube_column.addWidget(self.note)
         tube_column.addWidget(self.plot)
-        halves = QSplitter(Qt.Orientation.Horizontal)
-        halves.setChildrenCollapsible(False)
+        halves = Split(Qt.Orientation.Horizontal)
         halves.addWidget(left)
         halves.addWidget(right)
         halves.setSizes([400, 520])

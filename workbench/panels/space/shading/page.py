@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QAction, QGuiApplication, QKeyEvent, QKeySequence, QShowEvent
-from PySide6.QtWidgets import QGridLayout, QSplitter, QStackedWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QGridLayout, QStackedWidget, QVBoxLayout, QWidget
 
 from workbench.algorithms import catalogue
 from workbench.document.scene.model import Scene
@@ -35,6 +35,7 @@ from workbench.widgets.canvas.drawing import Drawn
 from workbench.widgets.canvas.overlay import Overlay
 from workbench.widgets.canvas.pixel_canvas import PixelCanvas
 from workbench.widgets.look.icons import set_icon
+from workbench.widgets.look.split import Split
 from workbench.widgets.look.tokens import theme_changed, tokens
 from workbench.widgets.stepping.step_bar import stepping_key
 
@@ -66,8 +67,7 @@ class ShadingPage(PlainPage, QWidget):
             session.opened.connect(view.begin_anew)
         self.lamps = LampsDock(session)
         self.stack = QStackedWidget()
-        beside = QSplitter(Qt.Orientation.Horizontal)
-        beside.setChildrenCollapsible(False)
+        beside = Split(Qt.Orientation.Horizontal)
         for widget in (self.canvas, self.view):
             beside.addWidget(widget)
             beside.setStretchFactor(beside.count() - 1, 1)
