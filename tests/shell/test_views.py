@@ -1,6 +1,8 @@
 """Views that take each other's place leave something to be seen."""
 
 import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
 from tests.shell.keys.focus import settle
@@ -51,3 +53,29 @@ def test_a_view_alone_makes_room_for_why_a_key_does_nothing(window: MainWindow, 
     assert not window.views.alone
     assert not window.statusBar().isHidden()
     assert window.status.hover.text()
+
+
+@pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
+def test_docks_come_back_while_one_of_them_is_dragged(window: MainWindow) -> None:
+    """Qt warns of room that is given to it then."""
+    window.resize(1280, 680)
+    window.go("draw")
+    settle()
+    area = window.arrangements.area("draw")
+    assert area is not None
+    rooms = area.in_front()
+    tube = area.dock("tube")
+    assert tube in rooms
+    title = QPoint(30, 8)
+    QTest.mousePress(tube, Qt.MouseButton.LeftButton, pos=title)
+    other = next(dock for dock in rooms if dock is not tube)
+    place = other.mapToGlobal(other.rect().center())
+    for _move in range(6):
+        QTest.mouseMove(tube, title - QPoint(20, 20))
+        QTest.mouseMove(tube, tube.mapFromGlobal(place))
+        settle()
+    assert tube.isFloating()
+    area.bring_to_front(rooms)
+    QTest.mouseRelease(tube, Qt.MouseButton.LeftButton, pos=title - QPoint(120, 120))
+    settle()
+    assert tube.isVisible()

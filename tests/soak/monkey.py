@@ -131,6 +131,7 @@ class Monkey(QObject):
         self.faults = Faults()
         self.megabytes: list[float] = []
         self._done = 0
+        self._owes_mark = False
         self._began = time.thread_time()
 
     def start(self) -> None:
@@ -159,18 +160,22 @@ class Monkey(QObject):
         self._keeper.inside = False
         print(said, file=self._log, flush=True)
         self._done += 1
-        if self._done % MARK == 0:
+        if self._owes_mark or self._done % MARK == 0:
             self._mark(_DEEPEST)
         else:
             QTimer.singleShot(rng.choice((0, 0, 0, 0, 5, 30)), self._next)
 
     def _mark(self, left: int) -> None:
-        """Measure once no question holds a loop of its own, which would keep all that is to be deleted."""
+        """Measure once no question holds a loop of its own, which would keep all that is to be deleted; where
+        one does not end, the next event is done first."""
         held = QApplication.activePopupWidget() or QApplication.activeModalWidget()
+        self._owes_mark = held is not None or QThread.currentThread().loopLevel() > 1
         if held is not None:
+            self._tell(f"(closing {type(held).__name__} {held.objectName()})")
             held.close()
-        if left and (held is not None or QThread.currentThread().loopLevel() > 1):
-            QTimer.singleShot(_REST_MS, partial(self._mark, left - 1))
+        if self._owes_mark:
+            again = partial(self._mark, left - 1) if left else self._next
+            QTimer.singleShot(_REST_MS, again)
             return
         try:
             self._measure()

@@ -130,7 +130,7 @@ class DockArea(QMainWindow):
         dock.raise_()
         if self.swapped:
             self._rooms = rooms
-            self.resizeDocks([dock], [round(self.height() * _CANVAS_SHARE)], Qt.Orientation.Vertical)
+            self._give_room([dock], [round(self.height() * _CANVAS_SHARE)], Qt.Orientation.Vertical)
         else:
             self.bring_to_front(self._rooms)
         self._focus_again(focus)
@@ -216,9 +216,9 @@ class DockArea(QMainWindow):
         for groups, tabbed in columns:
             first = [group[0] for group in groups]
             if tabbed and len(groups) == 2:
-                self.resizeDocks(first, self._heights(groups[0]), Qt.Orientation.Vertical)
+                self._give_room(first, self._heights(groups[0]), Qt.Orientation.Vertical)
             widths = [round(self.width() * _SIDE_SHARE)] * len(first)
-            self.resizeDocks(first, widths, Qt.Orientation.Horizontal)
+            self._give_room(first, widths, Qt.Orientation.Horizontal)
 
     def _heights(self, upper: list[QDockWidget]) -> list[int]:
         """How high the two groups of a side column begin: the upper one as its source asks for."""
@@ -259,8 +259,13 @@ class DockArea(QMainWindow):
             return
         for dock in docks:
             dock.raise_()
-        self.resizeDocks(docks, [size.width() for size in sizes], Qt.Orientation.Horizontal)
-        self.resizeDocks(docks, [size.height() for size in sizes], Qt.Orientation.Vertical)
+        self._give_room(docks, [size.width() for size in sizes], Qt.Orientation.Horizontal)
+        self._give_room(docks, [size.height() for size in sizes], Qt.Orientation.Vertical)
+
+    def _give_room(self, docks: Sequence[QDockWidget], sizes: Sequence[int], along: Qt.Orientation) -> None:
+        """Widths or heights of docks; those that float meanwhile keep theirs."""
+        rooms = {dock: size for dock, size in zip(docks, sizes, strict=True) if not dock.isFloating()}
+        self.resizeDocks(list(rooms), list(rooms.values()), along)
 
     def bring_forward(self, name: str) -> None:
         """Show a dock, before those that it shares its place with."""
@@ -282,7 +287,7 @@ class DockArea(QMainWindow):
         elif self._before_source and dock in self.tabifiedDockWidgets(self.dock(SOURCE)):
             before, self._before_source = self._before_source, {}
             docks = [dock if each.objectName() == SOURCE else each for each in before]
-            self.resizeDocks(docks, list(before.values()), Qt.Orientation.Vertical)
+            self._give_room(docks, list(before.values()), Qt.Orientation.Vertical)
 
     def _in_column(self, dock: QDockWidget) -> dict[QDockWidget, int]:
         """The docks above and below one that are seen, itself included, with the height of each."""
@@ -300,7 +305,7 @@ class DockArea(QMainWindow):
         share = room / max(sum(others.values()), 1)
         docks = [first, *others]
         sizes = [heights[first], *(max(round(height * share), 1) for height in others.values())]
-        self.resizeDocks(docks, sizes, Qt.Orientation.Vertical)
+        self._give_room(docks, sizes, Qt.Orientation.Vertical)
 
     # Leaving and coming back
 
