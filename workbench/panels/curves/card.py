@@ -210,6 +210,8 @@ class CurveCard(ParameterCard):
         curve = one if isinstance(one, Curve) else None
         self._offer_free_knots(curve is not None)
         model = curve or (self._pen.model if self._pen is not None and not figures else None)
+        for field in (self.degree, self.tolerance, *self.shape.values()):
+            field.belong_to(curve.id if curve is not None else "")
         first: tuple[QWidget, ...] = (
             self.spline,
             self.degree,

@@ -161,6 +161,7 @@ class VisibilityCard(FoldingCard):
         self.bits.setVisible(told is None)
         self.backwards.setChecked(backwards(subject))
         for name, field in self.planes.items():
+            field.belong_to(session.sheet.id)
             field.set_value(round(getattr(scene.camera, name), 6))
         if told is not None:
             self.legend.setText(told.legend)
