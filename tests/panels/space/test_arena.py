@@ -224,7 +224,7 @@ def test_a_wrong_pixel_that_is_asked_about_tells_what_was_painted_there(qtbot, s
 
 
 def test_a_pixel_that_the_pictures_do_not_have_is_not_ringed(page, session):
-    session.update_state(pixel=(15, 100))
+    session.update_state(pixel=(15, 100), pixel_of="arena")
     QApplication.processEvents()
     assert {tile.ring for tile in page.grid.tiles.values()} == {None}
 

@@ -5,6 +5,7 @@ import time
 import numpy as np
 
 from workbench.document.model import Curve, CurvePoint, Sheet
+from workbench.document.state import FIGURES
 from workbench.engine.containers import same
 from workbench.geometry.conventions import round_half_up
 from workbench.panels.curves.card import CurveCard
@@ -96,7 +97,7 @@ class CurveView(FigureView):
             still=None if parting is None else parting.still,
             snap=self._snapped(),
         )
-        overlay = with_asked(with_band(overlay, tool.band), session.state.pixel)
+        overlay = with_asked(with_band(overlay, tool.band), session.state.asked(FIGURES))
         overlay = with_answer(overlay, session.run.answered)
         self.canvas.set_overlay(overlay if self.box is None else self.box.over(overlay))
         if not busy or not isinstance(tool, CurveSelectTool):

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QLabel, QListWidget, QListWidgetItem, QVBoxLayout,
 
 from workbench.algorithms import catalogue
 from workbench.document.model import Sheet
+from workbench.document.state import FIGURES, SessionState
 from workbench.document.subjects import Subject
 from workbench.language import _, ngettext
 from workbench.panels.panel import DockPart, PlainPanel
@@ -28,7 +29,7 @@ _Looked = tuple[Event, list[Answer], str]
 
 
 class WhyList(QWidget):
-    """The list over a session; it follows ``session.state.pixel`` and looks only while it is seen."""
+    """The list over a session; it follows the pixel asked about, and looks only while it is seen."""
 
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -69,9 +70,9 @@ class WhyList(QWidget):
         """Whether an answer is still awaited."""
         return self._settle.isActive() or not self.list.isEnabled()
 
-    def _state_changed(self, old: object, new: object) -> None:
-        pixel = self._session.state.pixel
-        if pixel != getattr(old, "pixel", None) or self._session.state.sheet != getattr(old, "sheet", ""):
+    def _state_changed(self, old: SessionState, new: SessionState) -> None:
+        pixel = new.asked(FIGURES)
+        if pixel != old.asked(FIGURES) or new.sheet != old.sheet:
             if pixel is not None:
                 self._come_forward()
             self._stale()
@@ -85,7 +86,7 @@ class WhyList(QWidget):
         self._stale()
 
     def _stale(self, *_arguments: object) -> None:
-        pixel = self._session.state.pixel
+        pixel = self._session.state.asked(FIGURES)
         if pixel is None:
             self._given_up.set()
             self._say_empty()
@@ -103,7 +104,7 @@ class WhyList(QWidget):
 
     def _look(self) -> None:
         """Ask, on a thread of its own; an older question is given up."""
-        session, pixel = self._session, self._session.state.pixel
+        session, pixel = self._session, self._session.state.asked(FIGURES)
         if pixel is None or not self.isVisible():
             return
         self._given_up.set()

@@ -168,7 +168,7 @@ class ShadingPage(PlainPage, QWidget):
     def _lit_cell(self) -> Cell | None:
         """The chosen pixel where that is lit by now, else the one that was lit last."""
         lit = {(int(x), int(y)): None for x, y, _light in rows_so_far(self.session).tolist()}
-        chosen = self.session.state.pixel
+        chosen = self.session.state.asked(PAGE)
         return chosen if chosen in lit else next(reversed(lit), None)
 
     def point_at(self, cell: Cell | None) -> None:
@@ -247,7 +247,7 @@ class ShadingPage(PlainPage, QWidget):
         run = session.run
         if run.subject is not None and run.entry is not None:
             marks = tuple(marks_on_device(session.sheet, run.subject, run.entry.frame, run.marks()))
-        self.canvas.set_overlay(Overlay(drawn=marks, snap=session.state.pixel))
+        self.canvas.set_overlay(Overlay(drawn=marks, snap=session.state.asked(PAGE)))
 
     def describe(self, x: int, y: int) -> str:
         """A pixel, and its light."""
@@ -260,7 +260,7 @@ class ShadingPage(PlainPage, QWidget):
 
     def _clicked(self, x: int, y: int) -> None:
         """Go to the step that lights the pixel."""
-        self.session.update_state(pixel=(x, y))
+        self.session.update_state(pixel=(x, y), pixel_of=PAGE)
         if not self.session.run.waiting and not self.session.run.run_to_pixel(x, y):
             self.hover_text.emit(_("Nothing is lit at ({x}, {y}).").format(x=x, y=y))
 

@@ -17,7 +17,10 @@ from workbench.widgets.look.plain_keys import is_plain
 
 
 class FragmentList(QWidget):
-    """The fragments of ``session.state.pixel``; with *Ask first* those that came so far. ``seen``: it is."""
+    """The fragments of the pixel that is asked about; with *Ask first* those that came so far.
+
+    It is asked about in the workspace that is stepped in. ``seen``: this is.
+    """
 
     seen = Signal()
 
@@ -50,7 +53,7 @@ class FragmentList(QWidget):
 
     def refresh(self, run: DepthRun | None, keeps_depths: bool = True) -> None:
         """Follow the run: the fragments, or what was painted where a method keeps no depths."""
-        pixel = self._session.state.pixel
+        pixel = self._session.state.asked(self._session.state.workspace)
         if run is None or pixel is None:
             self._shown = ()
             self.list.clear()
