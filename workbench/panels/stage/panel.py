@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QCursor, QHideEvent, QKeyEvent, QShowEvent
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QVBoxLayout, QWidget
 
 from workbench.document.edits import move_figures, remove_figures
 from workbench.document.model import AnyFigure
@@ -91,10 +91,10 @@ class FigurePanel(ChosenFigures, QWidget):
         self._actions = FigureActions(self, commands, self.transforms).made
         names = [tool.name for tool in self.tools]
         for name in (*names[:1], *(row[0] for row in self.transforms[:1]), *names[1:]):
-            column.addWidget(self._button(self._actions[name]))
+            column.addWidget(ActionButton(self._actions[name]))
         column.addStretch(1)
         for name in ("zoom_in", "zoom_out", "fit"):
-            column.addWidget(self._button(self._actions[name]))
+            column.addWidget(ActionButton(self._actions[name]))
         self._connect_canvas()
         self.choose_tool("select" if self.session.sheet.figures else self.first_tool)
         KeysWhileSeen(self, self._actions.values())
@@ -145,11 +145,6 @@ class FigurePanel(ChosenFigures, QWidget):
     def said(self) -> Said:
         """What is under the pointer or said in passing, and the zoom."""
         return Said(self.hover_text, self.zoom_text)
-
-    def _button(self, action: QAction) -> QToolButton:
-        button = ActionButton(action)
-        button.setFixedSize(32, 32)
-        return button
 
     def point_at(self, cell: tuple[int, int] | None) -> None:
         """Point at a pixel that the sentence names, until the run moves; None when no longer."""
