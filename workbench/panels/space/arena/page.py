@@ -24,7 +24,7 @@ from workbench.panels.space.arena.telling import describe, picture_of, sentence_
 from workbench.panels.space.arena.tile import Pixels, TileState
 from workbench.panels.space.arena.tile_grid import TileGrid
 from workbench.panels.space.arena.work import ArenaJob, ArenaWorker, Preparing, Told, Twice
-from workbench.panels.stage.empty import EmptyState
+from workbench.panels.stage.invitation import Invitation
 from workbench.panels.stage.plain_page import PlainPage
 from workbench.rendering.scene.arena import MethodRun, methods_for
 from workbench.rendering.scene.growth import Growth
@@ -81,7 +81,7 @@ class ArenaPage(PlainPage, QWidget):
         column.addWidget(self.bar)
         column.addWidget(self.grid, 1)
         column.addWidget(self.sentence)
-        self.empty = EmptyState(
+        self.empty = Invitation(
             self.grid,
             _("This sheet has no scene."),
             partial(session.open_example, self.example),

@@ -22,7 +22,7 @@ from workbench.panels.space.shading.derivation import derivation
 from workbench.panels.space.shading.lamps_dock import LampsDock
 from workbench.panels.space.shading.lit_view import LitView
 from workbench.panels.space.shading.run import EndedLight, greys, light_so_far, rows_so_far
-from workbench.panels.stage.empty import EmptyState
+from workbench.panels.stage.invitation import Invitation
 from workbench.panels.stage.picture import packed
 from workbench.panels.stage.plain_page import PlainPage
 from workbench.panels.stage.pointed import Pointed
@@ -59,7 +59,7 @@ class ShadingPage(PlainPage, QWidget):
         self._light = np.zeros((0, 0))
         self.ended = EndedLight(self)
         self.canvas = PixelCanvas()
-        self.nothing = EmptyState(self.canvas, _("This sheet has no scene."), self._show_example)
+        self.nothing = Invitation(self.canvas, _("This sheet has no scene."), self._show_example)
         self.view = LitView("")
         self.four = [LitView(_(catalogue.get(slug).title)) for slug in LIT_SHADINGS]
         for view in (self.view, *self.four):

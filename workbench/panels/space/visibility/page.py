@@ -31,7 +31,7 @@ from workbench.panels.space.visibility.picture import (
 )
 from workbench.panels.space.visibility.solid_run import SolidRun, solid_run
 from workbench.panels.space.visibility.surface_run import SurfaceRun, surface_run
-from workbench.panels.stage.empty import EmptyState
+from workbench.panels.stage.invitation import Invitation
 from workbench.panels.stage.plain_page import PlainPage
 from workbench.rendering.scene.back_face_calls import BACK_FACES
 from workbench.rendering.scene.depth_measures import differing
@@ -85,8 +85,8 @@ class VisibilityPage(PlainPage, QWidget):
         self.card = VisibilityCard(session, self.canvas)
         self.card.move(self._card_left, CARD_GAP_PX)
         self._leave_room(False)
-        self.nothing = EmptyState(self.canvas, _("This sheet has no scene."), self._show_example)
-        self.bare = EmptyState(
+        self.nothing = Invitation(self.canvas, _("This sheet has no scene."), self._show_example)
+        self.bare = Invitation(
             self.canvas,
             _("No surface covers a pixel."),
             self.frame_scene,
