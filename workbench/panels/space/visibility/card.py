@@ -5,7 +5,7 @@ from html import escape
 
 from msgspec.structs import replace
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QButtonGroup, QCheckBox, QGridLayout, QLabel, QToolButton, QWidget
+from PySide6.QtWidgets import QButtonGroup, QCheckBox, QGridLayout, QLabel, QToolButton
 
 from workbench.algorithms import catalogue
 from workbench.document.errors import DocumentError
@@ -33,6 +33,7 @@ from workbench.rendering.subjects.visibility import (
     size_of,
 )
 from workbench.session.session import Session
+from workbench.widgets.canvas.surface import CanvasSurface
 from workbench.widgets.fields.choice_box import ChoiceBox
 from workbench.widgets.fields.number_field import NumberField
 from workbench.widgets.look.tips import tell_choice
@@ -49,7 +50,7 @@ class VisibilityCard(FoldingCard):
 
     shown_changed = Signal()
 
-    def __init__(self, session: Session, canvas: QWidget) -> None:
+    def __init__(self, session: Session, canvas: CanvasSurface) -> None:
         super().__init__(canvas, WIDTH_PX)
         self._session = session
         self.shown: Shown = "colour"
