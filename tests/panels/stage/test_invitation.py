@@ -33,7 +33,7 @@ def test_the_sentence_fits_its_canvas(qtbot: QtBot, size: tuple[int, int]) -> No
 
 DRAWN_BY = [
     (FillPanel, "polygon", "corners of a polygon"),
-    (FillPanel, "seed", "Click where the fill begins"),
+    (FillPanel, "seed", "Draw a boundary, then click inside it"),
     (FillPanel, "brush", "paint freehand"),
     (FillPanel, "select", "Choose a tool on the left"),
     (TransformPanel, "polygon", "Click corners on the canvas"),

@@ -14,7 +14,7 @@ from workbench.algorithms import catalogue
 from workbench.document.scene.model import Scene
 from workbench.document.subjects import Subject
 from workbench.exchange.diagrams import Derivation
-from workbench.language import _
+from workbench.language import _, ngettext
 from workbench.panels.panel import Cell, DockPart, KeysWhileSeen, Said
 from workbench.panels.space.looking import Looking
 from workbench.panels.space.shading.bar import ShadingBar
@@ -234,13 +234,14 @@ class ShadingPage(PlainPage, QWidget):
             self.canvas.set_overlay(Overlay())
             return
         self._light, ended = light_so_far(session, call), self.ended.of(call)
-        said = _("{now:,} pixels lit").format(now=int(np.isfinite(self._light).sum()))
+        now = int(np.isfinite(self._light).sum())
+        said = ngettext("{now:,} pixel lit", "{now:,} pixels lit", now).format(now=now)
         if ended is None:  # nothing is known of what is still to come
             ended = np.full_like(self._light, np.nan)
         else:
-            said = _("{now:,} of {whole:,} pixels lit").format(
-                now=int(np.isfinite(self._light).sum()), whole=int(np.isfinite(ended).sum())
-            )
+            whole = int(np.isfinite(ended).sum())
+            said = ngettext("{now:,} of {whole:,} pixel lit", "{now:,} of {whole:,} pixels lit", whole)
+            said = said.format(now=now, whole=whole)
         self.bar.progress.setText(said)
         self.canvas.set_picture(greys(self._light, ended, tokens()))
         marks: tuple[Drawn, ...] = ()

@@ -183,12 +183,13 @@ class VisibilityCard(FoldingCard):
             lines = [_("Light is near, dark is far.")]
         elif run.reached:
             counts = run.so_far.tests(run.size) if self.shown == "tests" else run.so_far.writes(run.size)
+            n, most = int(counts.sum()), int(counts.max())
             text = (
-                _("{n} comparisons, at most {most} at a pixel.")
+                ngettext("{n} comparison", "{n} comparisons", n)
                 if self.shown == "tests"
-                else _("{n} writes, at most {most} at a pixel.")
+                else ngettext("{n} write", "{n} writes", n)
             )
-            lines = [text.format(n=int(counts.sum()), most=int(counts.max()))]
+            lines = [_("{count}, at most {most} at a pixel.").format(count=text.format(n=n), most=most)]
         if fighting:
             said = ngettext(
                 "{n} pixel shows the wrong surface.",
