@@ -16,9 +16,16 @@ from workbench.exchange.diagram_svg import write_diagram
 from workbench.exchange.diagrams import Drawing, Sentence
 from workbench.panels.space.arena import work
 from workbench.panels.space.arena.page import ArenaPage
-from workbench.panels.space.arena.tile import MethodTile, beside, together
+from workbench.panels.space.arena.tile import (
+    AIR_PX,
+    LEAST_PX,
+    MethodTile,
+    forms_of_tests,
+    forms_of_time,
+    together,
+)
 from workbench.panels.space.panel import SpacePanel
-from workbench.rendering.scene.counted import counted_text
+from workbench.rendering.scene.counted import counted_forms, counted_text
 from workbench.rendering.scene.growth import Growth
 from workbench.session.session import Session
 
@@ -333,28 +340,57 @@ def test_every_control_has_a_name_and_a_tip(page):
         assert tile.button.accessibleName().startswith("Step ")
 
 
-@pytest.mark.parametrize(("more", "said"), [(20, "1,654,260 tests"), (-1, "1,654,260")])
-def test_a_large_count_does_not_run_into_the_time(page, more, said):
-    wide = page.fontMetrics().horizontalAdvance
-    room = wide("1,654,260 tests") + wide("about 5.11 s") + more
-    text = beside("1,654,260 tests", "about 5.11 s", page.fontMetrics(), room)
-    assert text == said
-    assert wide(text) + wide("about 5.11 s") < room
+DIFFER = ("0 px differ", "0 differ")
+TESTS = forms_of_tests(1_654_260)
+FORETOLD = forms_of_time(Growth("octree", (), (), 5.11, measured=False))
+BOX, SQUARES = counted_forms(1, "boxes divided"), counted_forms(85, "squares divided")
+CELLS = counted_forms(7237, "cells divided")
 
 
 @pytest.mark.parametrize(
-    ("divided", "room", "said"),
+    ("left", "right", "room", "said"),
     [
-        ("1 box divided", "0 px differ1 box divided", ("0 px differ", "1 box divided")),
-        ("85 squares divided", "0 px differ85 divided", ("0 px differ", "85 divided")),
-        ("7,237 cells divided", "0 differ7,237 divided", ("0 differ", "7,237 divided")),
-        ("", "0 px differ", ("0 px differ", "")),
+        (TESTS, FORETOLD, "1,654,260 testsabout 5.11 s", ("1,654,260 tests", "about 5.11 s")),
+        (TESTS, FORETOLD, "1,654,260 tests≈ 5.11 s", ("1,654,260 tests", "≈ 5.11 s")),
+        (TESTS, FORETOLD, "1.7 M tests≈ 5.11 s", ("1.7 M tests", "≈ 5.11 s")),
+        (
+            DIFFER,
+            BOX,
+            "0 px differ1 box divided",
+            ("0 px differ", "1 box divided"),
+        ),
+        (
+            DIFFER,
+            SQUARES,
+            "0 px differ85 divided",
+            ("0 px differ", "85 divided"),
+        ),
+        (
+            DIFFER,
+            CELLS,
+            "0 differ7,237 divided",
+            ("0 differ", "7,237 divided"),
+        ),
+        (DIFFER, CELLS, "0 px differ", ("0 px differ", "")),
+        (DIFFER, CELLS, "0", ("0 differ", "")),
+        (DIFFER, ("",), "0 px differ", ("0 px differ", "")),
     ],
 )
-def test_what_was_divided_is_said_whole_in_the_room_there_is(page, divided, room, said):
+def test_both_ends_of_a_line_say_as_much_as_there_is_room_for(page, left, right, room, said):
+    """Down to the tightest, where a count goes before it would stand without its noun."""
     metrics = page.fontMetrics()
-    wide = metrics.horizontalAdvance(room) + 6
-    assert together("0 px differ", divided, metrics, wide) == said
+    assert together(left, right, metrics, metrics.horizontalAdvance(room) + 6) == said
+
+
+def test_nothing_overlaps_in_the_narrowest_tile(page):
+    metrics, room = page.fontMetrics(), LEAST_PX.width() - 2 * AIR_PX
+    for n in (0, 1, 12, 4_321, 76_543, 987_654_321):
+        for what in ("splits", "boxes divided", "cells divided", "squares divided", "octants gone into"):
+            lines = (forms_of_tests(n), FORETOLD), (DIFFER, counted_forms(n, what))
+            for left, right in lines:
+                pair = together(left, right, metrics, room)
+                assert metrics.horizontalAdvance("".join(pair)) < room
+                assert not any(text.strip().replace(",", "").isdigit() for text in pair)
 
 
 def test_counts_have_a_singular():
@@ -364,4 +400,4 @@ def test_counts_have_a_singular():
     for entry in catalogue.entries():
         if entry.topic in ("visibility", "solids"):
             for what in (*entry.counted, *entry.keeps):
-                assert not counted_text(1, what).endswith("s") or what == "octants gone into"
+                assert "s " not in f"{counted_text(1, what)} "

@@ -14,6 +14,7 @@ def counted_text(n: int, what: str) -> str:
         "edges": ngettext("{n:,} edge", "{n:,} edges", n),
         "flags": ngettext("{n:,} flag", "{n:,} flags", n),
         "nodes": ngettext("{n:,} node", "{n:,} nodes", n),
+        "octants gone into": ngettext("{n:,} octant gone into", "{n:,} octants gone into", n),
         "pieces": ngettext("{n:,} piece", "{n:,} pieces", n),
         "splits": ngettext("{n:,} split", "{n:,} splits", n),
         "squares": ngettext("{n:,} square", "{n:,} squares", n),
@@ -22,3 +23,15 @@ def counted_text(n: int, what: str) -> str:
         "swaps and splits": ngettext("{n:,} swap or split", "{n:,} swaps and splits", n),
     }.get(what)
     return (text or _("{n:,} {what}")).format(n=n, what=_(what))
+
+
+def counted_forms(n: int, what: str) -> tuple[str, ...]:
+    """The same, then in fewer words where its noun goes without saying."""
+    short = {
+        "boxes divided": _("{n:,} divided"),
+        "cells divided": _("{n:,} divided"),
+        "squares divided": _("{n:,} divided"),
+        "octants gone into": ngettext("{n:,} octant", "{n:,} octants", n),
+    }.get(what)
+    whole = counted_text(n, what)
+    return (whole,) if short is None else (whole, short.format(n=n))
