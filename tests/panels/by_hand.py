@@ -33,6 +33,15 @@ def drag(qtbot, panel, *places, modifiers=Qt.KeyboardModifier.NoModifier):
     settle()
 
 
+def begin_number(qtbot, line, text):
+    """Type a number into a line that keeps the focus, without Enter."""
+    line.window().activateWindow()
+    line.setFocus()
+    qtbot.waitUntil(line.hasFocus)
+    line.selectAll()
+    qtbot.keyClicks(line, text)
+
+
 def points(figure):
     return [(p.x, p.y) for p in figure.points_world]
 

@@ -31,7 +31,6 @@ from workbench.shell.settings import Settings
 from workbench.shell.start import make_window
 from workbench.shell.window import MainWindow
 from workbench.shell.workspaces import panel_of
-from workbench.widgets.look.split import Split
 from workbench.widgets.plots.library import library
 
 
@@ -99,22 +98,6 @@ def test_resetting_leaves_the_number_of_widgets_unchanged(window: MainWindow) ->
         window.reset_workspace()
         settle()
     assert len(QApplication.allWidgets()) == before
-
-
-def test_resetting_puts_lines_between_panes_back(window: MainWindow) -> None:
-    window.go("view")
-    settle()
-    splits = area(window).findChildren(Split)
-    split = next(each for each in splits if each.isVisible() and min(each.sizes()) > 100)
-    first, line = split.sizes(), split.handle(1)
-    middle = line.rect().center()
-    QTest.mousePress(line, Qt.MouseButton.LeftButton, pos=middle)
-    QTest.mouseMove(line, middle + QPoint(-40, -40))
-    QTest.mouseRelease(line, Qt.MouseButton.LeftButton, pos=middle + QPoint(-40, -40))
-    assert split.sizes() != first
-    window.reset_workspace()
-    settle()
-    assert split.sizes() == first
 
 
 @pytest.mark.parametrize("size", [(1280, 680), (960, 540), (1400, 900)])

@@ -4,10 +4,14 @@ from typing import NamedTuple
 
 
 class Counted(NamedTuple):
-    """What is counted, as it is called of one, and how the titles of the blocks begin that count it."""
+    """What is counted, as it is called of one, and how the titles of the blocks begin that count it.
+
+    ``short`` is what is said behind the number, of one and of many, where there is no room for more.
+    """
 
     singular: str
     blocks: tuple[str, ...]
+    short: str = ""
 
 
 class Kept(NamedTuple):

@@ -20,8 +20,8 @@ T = TypeVar("T")
 
 LONGEST_TIME_S = 1e9
 
-_FIGURE_PIXELS = frozenset({"draw", "fill", "clip", "curves", "why"})
-"""Workspaces where the pixel that is asked about is one of the figures of the sheet."""
+FIGURES = "figures"
+"""What a pixel is of that is one of the figures of the sheet; any other is of the workspace that asks."""
 
 
 def _drive(label: str, low: float, high: float, unit: str = "") -> Number:
@@ -59,7 +59,8 @@ class SessionState(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
     An empty ``sheet`` means the first one, an empty ``compare`` no comparison. ``workspace`` is the one that
     is stepped in, ``positions`` has what each of them steps, and where it stands. ``ask_first`` hides the
-    next pixel until it was guessed. ``pixel`` (x, y) is the one that is asked about: why is it as it is.
+    next pixel until it was guessed. ``pixel`` (x, y) is the one that is asked about, in a picture of
+    ``pixel_of``: why is it as it is.
     ``thing`` is the chosen object of a scene, ``looks`` (by sheet) tell where somebody looks from instead of
     the scene's camera. ``frames`` (by sheet) are those that are shown, 0 where none is given;
     with ``auto_key`` whatever is changed in one gets a key there.
@@ -73,6 +74,7 @@ class SessionState(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     positions: dict[str, Position] = {}
     ask_first: bool = False
     pixel: tuple[int, int] | None = None
+    pixel_of: str = FIGURES
     tube: TubeSettings = TubeSettings()
     thing: str = ""
     looks: dict[str, Look] = {}
@@ -98,6 +100,10 @@ class SessionState(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     def detail(self) -> bool:
         """Whether lines are counted in the present workspace."""
         return self.position.detail
+
+    def asked(self, of: str) -> tuple[int, int] | None:
+        """The pixel (x, y) that is asked about in a picture of this; None where there is none."""
+        return self.pixel if self.pixel_of == of else None
 
 
 def seen_scene(state: SessionState, sheet: Sheet) -> Scene | None:
@@ -131,24 +137,18 @@ def with_look(state: SessionState, sheet: Sheet, camera: Camera | None) -> dict[
 def with_changes(state: SessionState, **changes: Any) -> SessionState:
     """``state`` with other values; ``subject``, ``step`` and ``detail`` are those of its workspace.
 
-    The question about a pixel ends with its sheet, and with a workspace where it means nothing.
+    The question about a pixel ends with its sheet; without ``pixel_of`` it is about the figures.
     """
+    if "pixel" in changes:
+        changes = {"pixel_of": FIGURES, **changes}
     here = {name: changes.pop(name) for name in Position.__struct_fields__ if name in changes}
     before, state = state, replace(state, **changes)
-    if "pixel" not in changes and not _asks_the_same(before, state):
+    if "pixel" not in changes and state.sheet != before.sheet:
         state = replace(state, pixel=None)
     position = replace(state.position, **here)
     if position == state.position:
         return state
     return replace(state, positions={**state.positions, state.workspace: position})
-
-
-def _asks_the_same(before: SessionState, now: SessionState) -> bool:
-    """Whether a pixel means the same in both: on one sheet, and in workspaces of one kind."""
-    if before.sheet != now.sheet:
-        return False
-    places = {before.workspace or now.workspace, now.workspace}
-    return len(places) == 1 or places <= _FIGURE_PIXELS
 
 
 def at_the_start(state: SessionState) -> SessionState:
@@ -177,6 +177,8 @@ def check_state(state: SessionState, document: Document) -> SessionState:
     if state.pixel is not None and not all(0 <= side < MAX_SIDE_PX for side in state.pixel):
         problem = _("is {value}; give a column and a row from 0")
         raise refuse("session.pixel", problem.format(value=shown(state.pixel)))
+    if not is_word(state.pixel_of):
+        raise refuse("session.pixel_of", _("is not the name of a workspace; give one such as draw"))
     if state.thing and state.thing not in _objects(document):
         raise refuse("session.thing", missing(state.thing))
     for sheet_id, look in state.looks.items():

@@ -98,7 +98,7 @@ def _painter(window: MainWindow) -> None:
     def arrive() -> None:
         window.panels("space")[0].show_page("visibility")
         subject = Subject("visibility", entry=painter.__name__)
-        window.session.update_state(subject=subject, step=5, pixel=(10, 5))
+        window.session.update_state(subject=subject, step=5, pixel=(10, 5), pixel_of="visibility")
         window.arrangements.bring_forward("fragments")
 
     _visibility(window, "arena-ring", 0)

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QApplication, QVBoxLayout, QWidget
 from pytestqt.qtbot import QtBot
 
 from workbench.session.session import Session
+from workbench.widgets.look.action_button import ActionButton
 from workbench.widgets.timeline.transport import Transport
 
 
@@ -37,3 +38,10 @@ def test_at_any_width_nothing_overlaps_or_sticks_out(transport: Transport) -> No
         assert all(left.right() < right.left() for left, right in pairwise(places))
         assert transport.frame.isVisible()
     assert all(part.isVisible() for part in (transport.rate, transport.speed, transport.mode))
+
+
+def test_the_button_that_plays_is_called_what_it_does_now(transport: Transport) -> None:
+    (button,) = (each for each in transport.findChildren(ActionButton) if each.action is transport.play)
+    for playing, words in ((True, "Stop the frames"), (False, "Play the frames")):
+        transport._session.frames.played.emit(playing)
+        assert button.accessibleName() == words

@@ -297,5 +297,5 @@ def test_on_a_low_page_the_map_has_more_room_than_the_tube_beside_it_and_no_fiel
 def test_what_is_uncertain_is_named_with_its_extent(name: str) -> None:
     phosphor = Phosphor.named(name)
     said = doubt(phosphor)
-    assert said.startswith("Uncertain by about 10 Hz: the rate from which an eye sees no flicker")
+    assert said.startswith("The rate above which the eye sees no flicker is uncertain by about 10 Hz.")
     assert (phosphor.name in said) == bool(phosphor.uncertain_fields)

@@ -8,7 +8,6 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtWidgets import QApplication
 
 from tests.panels.by_hand import keep_until_the_end, recorded
-from workbench.algorithms import catalogue
 from workbench.document.samples.arena import READY
 from workbench.document.subjects import Subject
 from workbench.engine.stopping import Stopped
@@ -16,10 +15,8 @@ from workbench.exchange.diagram_svg import write_diagram
 from workbench.exchange.diagrams import Drawing, Sentence
 from workbench.panels.space.arena import work
 from workbench.panels.space.arena.page import ArenaPage
-from workbench.panels.space.arena.tile import MethodTile, beside, together
+from workbench.panels.space.arena.tile import MethodTile
 from workbench.panels.space.panel import SpacePanel
-from workbench.rendering.scene.arena import MethodRun
-from workbench.rendering.scene.counted import counted_texts, kept_texts
 from workbench.rendering.scene.growth import Growth
 from workbench.session.session import Session
 
@@ -225,7 +222,7 @@ def test_a_wrong_pixel_that_is_asked_about_tells_what_was_painted_there(qtbot, s
 
 
 def test_a_pixel_that_the_pictures_do_not_have_is_not_ringed(page, session):
-    session.update_state(pixel=(15, 100))
+    session.update_state(pixel=(15, 100), pixel_of="arena")
     QApplication.processEvents()
     assert {tile.ring for tile in page.grid.tiles.values()} == {None}
 
@@ -332,39 +329,3 @@ def test_every_control_has_a_name_and_a_tip(page):
         assert tile.toolTip()
         assert tile.accessibleName()
         assert tile.button.accessibleName().startswith("Step ")
-
-
-@pytest.mark.parametrize(("more", "said"), [(20, "1,654,260 tests"), (-1, "1,654,260")])
-def test_a_large_count_does_not_run_into_the_time(page, more, said):
-    wide = page.fontMetrics().horizontalAdvance
-    room = wide("1,654,260 tests") + wide("about 5.11 s") + more
-    text = beside("1,654,260 tests", "about 5.11 s", page.fontMetrics(), room)
-    assert text == said
-    assert wide(text) + wide("about 5.11 s") < room
-
-
-@pytest.mark.parametrize(
-    ("divided", "room", "said"),
-    [
-        ("1 box divided", "0 px differ1 box divided", ("0 px differ", "1 box divided")),
-        ("85 squares divided", "0 px differ85 divided", ("0 px differ", "85 divided")),
-        ("7,237 cells divided", "0 differ7,237 divided", ("0 differ", "7,237 divided")),
-        ("", "0 px differ", ("0 px differ", "")),
-    ],
-)
-def test_what_was_divided_is_said_whole_in_the_room_there_is(page, divided, room, said):
-    metrics = page.fontMetrics()
-    wide = metrics.horizontalAdvance(room) + 6
-    assert together("0 px differ", divided, metrics, wide) == said
-
-
-def test_counts_have_a_singular():
-    nothing = np.zeros((0, 0), np.int64)
-    for divided, said in ((1, "1 box divided"), (7237, "7,237 boxes divided")):
-        run = MethodRun("ray_casting_boxes", nothing, nothing, 0, {"boxes divided": divided}, {"boxes": 1})
-        assert counted_texts(run) == [said]
-        assert kept_texts(run) == ["1 box"]
-    for entry in catalogue.entries():
-        for plural, one in (*entry.counted.items(), *entry.keeps.items()):
-            assert not one.singular.endswith("s")
-            assert plural != one.singular

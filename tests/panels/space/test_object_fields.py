@@ -1,9 +1,14 @@
 """The fields of a solid: its equation, where it has one, and numbers that are left as another is chosen."""
 
+import pytest
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel
+from shiboken6 import isValid
 
+from tests.panels.by_hand import begin_number, settle
+from workbench.document.scene.edits import set_solid
 from workbench.document.scene.model import Object
-from workbench.document.scene.solids import Blobs, Box, Ellipsoid
+from workbench.document.scene.solids import Blobs, Box, Ellipsoid, Sphere, Torus
 from workbench.panels.space.object_fields import ObjectFields
 from workbench.session.session import Session
 
@@ -17,17 +22,26 @@ def test_an_ellipsoid_shows_its_equation_and_a_box_none(qtbot):
         assert [word for word in words if "=" in word] == equations
 
 
-def test_a_number_that_was_begun_goes_with_the_solid_it_was_of(qtbot):
+@pytest.mark.parametrize("other", [Torus(), Box()])
+def test_a_number_that_was_begun_goes_with_the_solid_it_was_of(qtbot, other):
+    """A torus has a radius too."""
     session = Session()
+    session.open_example("space-house")
+    scene = session.sheet.scene
+    thing = scene.objects[0].id
+    session.apply(set_solid(thing, Sphere()), "Change the solid")
     fields = ObjectFields(session)
     qtbot.addWidget(fields)
-    fields.show_object(Object("o1", Ellipsoid(), "m1"))
-    begun = list(fields.fields)
-    fields.show_object(Object("o1", Box(), "m1"))
+    fields.show()
+    fields.show_object(session.sheet.scene.objects[0])
+    line = fields.fields["radius"].field
+    begin_number(qtbot, line, "1.75")
+    session.apply(set_solid(thing, other), "Change the solid")
     before = session.document
-    left = [name for name in begun if name not in fields.fields]
-    assert left
-    for name in left:
-        fields._set(name, "", 3.0)
+    fields.show_object(session.sheet.scene.objects[0])
+    settle()
+    if isValid(line) and line.hasFocus():
+        qtbot.keyClick(line, Qt.Key.Key_Return)
+    settle()
     assert session.document == before
     session.close()

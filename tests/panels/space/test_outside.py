@@ -208,7 +208,7 @@ def test_a_matrix_of_ones_own_is_parallel_only_where_its_projectors_are(
     settle(qtbot, page)
     camera = page.looking.camera
     assert camera.projection == "matrix"
-    assert "your own now, and its projectors meet in a point" in dock.words.text()
+    assert "your own, and its projectors meet at a point" in dock.words.text()
     assert "parallel now" not in dock.words.text()
     assert dock.inverse.text() == "\N{EN DASH}"
     point = dock.triangles.point

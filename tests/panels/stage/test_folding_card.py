@@ -1,17 +1,19 @@
 """A card ends within its canvas, however low that is, and all that it holds can be reached."""
 
 import pytest
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QScrollArea, QWidget
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QScrollArea, QToolButton, QWidget
 
 from tests.panels.by_hand import keep_until_the_end, settle
 from workbench.panels.stage.folding_card import WIDTH_PX, FoldingCard
+from workbench.widgets.canvas.pixel_canvas import PixelCanvas
 
 GAP_PX = 8
 
 
 @pytest.fixture
 def canvas(qtbot):
-    widget = QWidget()
+    widget = PixelCanvas()
     keep_until_the_end(qtbot, widget)
     widget.resize(800, 600)
     widget.show()
@@ -51,13 +53,21 @@ def test_a_card_with_room_has_no_bar(card):
 def test_a_card_on_a_low_canvas_scrolls_to_its_last_line(card, canvas, height):
     canvas.resize(800, height)
     settle()
-    assert card.geometry().bottom() < height
+    assert card.geometry().bottom() < canvas.area.bottom / canvas.devicePixelRatioF() < height
     assert bar(card).maximum() > 0
     labels = card.body.parentWidget().findChildren(QLabel)
     bar(card).setValue(bar(card).maximum())
     settle()
     assert whole(labels[-1], card)
     assert labels[-1].width() == WIDTH_PX - 20, "its bar stands beside what it holds"
+
+
+def test_its_button_is_called_what_it_does_now(qtbot, card):
+    """A folded card is not to be folded again."""
+    button = card.findChild(QToolButton)
+    for words in ("Fold this card", "Unfold this card", "Fold this card"):
+        assert button.accessibleName() == button.toolTip() == words
+        qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
 
 
 def test_a_card_grows_again_with_its_canvas(card, canvas):

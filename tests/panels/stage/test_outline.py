@@ -1,11 +1,13 @@
 """The ideal outline that lies over the pixels."""
 
 import numpy as np
+import pytest
 
 from workbench.document.edits import add_figure
 from workbench.document.model import Circle, WorldPoint
-from workbench.document.samples.examples import blank_sheet
-from workbench.panels.stage.outline import figure_at, outline
+from workbench.document.samples.examples import blank_sheet, example
+from workbench.memory import forget
+from workbench.panels.stage.outline import clipped_outlines, figure_at, outline, outlines
 
 
 def test_the_ideal_circle_has_no_corners_that_are_seen():
@@ -24,3 +26,16 @@ def test_a_filled_circle_is_met_within_and_an_outline_only_on_it():
         assert (figure_at(sheet, 31.0, 25.0, 1.0) is not None) == met
         assert figure_at(sheet, 42.0, 24.0, 1.0) is not None
         assert figure_at(sheet, 50.0, 24.0, 1.0) is None
+
+
+@pytest.mark.parametrize("make", [outlines, clipped_outlines])
+@pytest.mark.parametrize("slug", ["house", "curve-letter", "clip", "view-house"])
+def test_outlines_that_are_made_at_once_are_those_of_each_figure(make, slug):
+    sheet = example(slug).document.sheets[0]
+    forget()
+    at_once = make(sheet, sheet.figures)
+    forget()
+    for figure, curves in zip(sheet.figures, at_once, strict=True):
+        (alone,) = make(sheet, [figure])
+        assert len(alone) == len(curves)
+        assert all(map(np.array_equal, alone, curves))

@@ -56,6 +56,15 @@ def test_it_follows_its_action(qtbot: QtBot) -> None:
         assert button.icon().cacheKey() == likewise.icon().cacheKey()
 
 
+def test_a_screen_reader_says_what_the_action_is_called_now(qtbot: QtBot) -> None:
+    action = QAction("Play")
+    button, named = shown(qtbot, action), ActionButton(action, name="Play or pause")
+    qtbot.addWidget(named)
+    action.setText("Pause")
+    assert button.accessibleName() == "Pause"
+    assert named.accessibleName() == "Play or pause"
+
+
 def test_one_of_several_stays_down(qtbot: QtBot) -> None:
     group = QActionGroup(None)
     one, other = (QAction(name, group, checkable=True) for name in ("Window", "Viewport"))

@@ -66,6 +66,14 @@ def test_a_click_chooses_the_step_under_it_and_none_beyond_the_last(qtbot: QtBot
     assert wanted.args == [44]
 
 
+def test_one_call_is_not_told_as_several(depths: DepthPlot) -> None:
+    for whole in (True, False):
+        depths.show_depths(np.array([0, 1, 2, 1]), calls=True, whole=whole)
+        for step, said in ((1, "1 call active"), (2, "2 calls active")):
+            depths.show_cursor(step, step)
+            assert depths.caption.text().startswith(said)
+
+
 def test_the_wheel_and_keys_zoom_along_x_and_0_shows_all(depths: DepthPlot) -> None:
     def spans() -> tuple[float, float]:
         QApplication.processEvents()

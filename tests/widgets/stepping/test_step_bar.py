@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QWidget
 from pytestqt.qtbot import QtBot
 
 from workbench.session.run import Run
+from workbench.widgets.look.action_button import ActionButton
 from workbench.widgets.stepping.step_bar import StepBar
 
 
@@ -26,6 +27,16 @@ def test_a_step_number_of_any_length_has_room(
     end = field.cursorRect().center().x()
     field.home(False)  # in a field that is too narrow this scrolls the text
     assert end - field.cursorRect().center().x() >= field.fontMetrics().horizontalAdvance(text) - 1
+
+
+def test_the_button_that_plays_is_called_what_it_does_now(qtbot: QtBot) -> None:
+    run = Run()
+    bar = StepBar(run)
+    qtbot.addWidget(bar)
+    (button,) = (each for each in bar.findChildren(ActionButton) if each.action is bar.play)
+    for playing, words in ((True, "Pause"), (False, "Play")):
+        run.played.emit(playing)
+        assert button.accessibleName() == words
 
 
 def test_in_the_narrowest_window_nothing_lies_on_anything_or_is_squeezed(qtbot: QtBot) -> None:

@@ -138,7 +138,7 @@ ENTRY = Entry(
     ),
     laws=(
         Law(
-            "What is emitted lies in the window, to the last digit, and on the line, to a relative 1e-9.",
+            "What is emitted lies in the window, to the last digit, and on the line, to a relative 10⁻⁹.",
             "clipping/test_lines.py::test_what_is_left_is_what_is_visible",
         ),
         Law("The ends keep their order.", "clipping/test_lines.py::test_the_ends_keep_their_order"),

@@ -138,7 +138,7 @@ ENTRY = Entry(
     ),
     laws=(
         Law(
-            "What is emitted lies in the window, to the last digit, and on the line, to a relative 1e-9.",
+            "What is emitted lies in the window, to the last digit, and on the line, to a relative 10⁻⁹.",
             "clipping/test_lines.py::test_what_is_left_is_what_is_visible",
         ),
         Law("The ends keep their order.", "clipping/test_lines.py::test_the_ends_keep_their_order"),
@@ -160,12 +160,12 @@ ENTRY = Entry(
             "clipping/test_lines.py::test_liang_barsky_takes_columns_for_rows",
         ),
         Law(
-            "Of lines and windows of whole numbers within 2^24 nothing visible is lost, not even the "
+            "Of lines and windows of whole numbers within 2²⁴ nothing visible is lost, not even the "
             "touch of a corner.",
             "clipping/test_lines.py::test_of_whole_numbers_nothing_visible_is_lost",
         ),
         Law(
-            "It finds what Cohen-Sutherland finds, to a relative 1e-9, except for a line that runs "
+            "It finds what Cohen-Sutherland finds, to a relative 10⁻⁹, except for a line that runs "
             "along an edge a rounding away.",
             "clipping/test_lines.py::test_both_find_the_same",
         ),

@@ -158,7 +158,7 @@ ENTRY = Entry(
         ),
     ),
     not_laws=(
-        "Also beside weights a million apart: the last 1e-9 of u at an end is not searched, and the curve "
+        "Also beside weights a million apart: the last 10⁻⁹ of u at an end is not searched, and the curve "
         "may run farther than is seen within one step of u.",
     ),
     questions=(8,),

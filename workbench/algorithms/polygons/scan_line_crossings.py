@@ -78,7 +78,7 @@ def scan_line_crossings(
 
 
 _AS_EXACT = Law(
-    "Between vertices on whole pixels or quarters, within 2^14, each crossing decides as the exact one does.",
+    "Between vertices on whole pixels or quarters, within 2¹⁴, each crossing decides as the exact one does.",
     "polygons/test_scan_line_crossings.py::test_on_quarters_pixels_are_those_of_exact_fractions",
 )
 

@@ -137,7 +137,7 @@ ENTRY = Entry(
             "polygons/test_scan_line_exact.py::test_mirrored_it_is_the_same_under_closed",
         ),
         Law(
-            "The pixels are those of exact crossings, for any vertices within 2^20: 1/m's error never "
+            "The pixels are those of exact crossings, for any vertices within 2²⁰: 1/m's error never "
             "decides.",
             "polygons/test_scan_line_exact.py::test_far_vertices_have_their_exact_crossings",
         ),

@@ -67,7 +67,7 @@ def scan_line_fill(
 
 
 _AS_EXACT = Law(
-    "Between vertices on whole pixels or quarters, within 2^14, whose edges all have a 1/m that floats hold "
+    "Between vertices on whole pixels or quarters, within 2¹⁴, whose edges all have a 1/m that floats hold "
     "(a multiple of 1/65536), the pixels are those of the exact crossings.",
     "polygons/test_scan_line_fill.py::test_where_floats_hold_each_slope_pixels_are_those_of_exact_fractions",
 )

@@ -71,7 +71,7 @@ ENTRY = Entry(
         Parameter("x1", "x_1", "float", 14.0, -1024, 1024, "px", "end of the stroke, column"),
         Parameter("y1", "y_1", "float", 9.0, -1024, 1024, "px", "end of the stroke, row"),
         Parameter("energy", "Q", "float", 1.0, 0.0, 1e9, "", "energy sent: power times time"),
-        Parameter("sigma", "sigma", "float", 1.0, 0.6, 8.0, "px", "standard deviation of the spot"),
+        Parameter("sigma", "σ", "float", 1.0, 0.6, 8.0, "px", "standard deviation of the spot"),
     ),
     arguments=_stroke,
     emits="coverage",
@@ -93,15 +93,15 @@ ENTRY = Entry(
     ),
     laws=(
         Law(
-            "The pixels together get the energy sent, but for 4 exp(-2 pi^2 sigma^2) + 1.3e-4 of it.",
+            "The pixels together get the energy sent, but for 4 exp(−2π²σ²) + 1.3 · 10⁻⁴ of it.",
             "scanning/test_beam_spot.py::test_the_pixels_together_get_the_energy_sent",
         ),
         Law(
-            "A stroke drawn in two parts leaves the same, to 1e-4 of the energy in each pixel.",
+            "A stroke drawn in two parts leaves the same, to 10⁻⁴ of the energy in each pixel.",
             "scanning/test_beam_spot.py::test_a_stroke_in_two_parts_leaves_the_same",
         ),
         Law(
-            "A stroke drawn backwards leaves the same, to 1e-12, or where it has next to no length to 1e-5.",
+            "A stroke drawn backwards leaves the same, to 10⁻¹², or where it has next to no length to 10⁻⁵.",
             "scanning/test_beam_spot.py::test_a_stroke_backwards_leaves_the_same",
         ),
         Law(

@@ -123,7 +123,7 @@ ENTRY = Entry(
     parameters=(
         Parameter("face", "E", "matrix", np.zeros((9, 14)), meaning="energy of each pixel of the face"),
         Parameter("strokes", "strokes", "matrix", _STROKES, meaning="x0, y0, x1, y1 and energy"),
-        Parameter("sigma", "sigma", "float", 0.8, 0.6, 8.0, "px", "standard deviation of the spot"),
+        Parameter("sigma", "σ", "float", 0.8, 0.6, 8.0, "px", "standard deviation of the spot"),
     ),
     arguments=_strokes,
     emits="spans",

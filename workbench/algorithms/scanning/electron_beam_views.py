@@ -25,7 +25,7 @@ VIEWS = (
         block=GRID,
         when="current > 0.0",
         row="('control grid', v_grid, 'I', current, 'µA', GRID_MM)",
-        sentence="The grid at V_g = {v_grid} V repels some of them and passes I = K (1 - V_g / V_c)^γ = "
+        sentence="The grid at V_g = {v_grid} V repels some of them and passes I = K (1 − V_g / V_c)^γ = "
         "{current} µA: that is the brightness. V_c = {v_cut} V would stop all.",
     ),
     View(

@@ -71,7 +71,7 @@ def refuse_tube(v_focus: float, v_anode: float, tube: Array) -> None:
     if not (v_anode > 0.0 and v_focus > 0.0):
         raise ValueError("The anodes need voltages above 0 V.")
     if len(tube) != 7:
-        raise ValueError("A tube has seven numbers: V_c, K and gamma, l, d, D_x and D_y.")
+        raise ValueError("A tube has seven numbers: V_c, K and γ, l, d, D_x and D_y.")
     if not tube[0] < 0.0:
         raise ValueError("The cut-off of the control grid lies below 0 V.")
     if not (tube[3] > 0.0 and tube[4] > 0.0):

@@ -85,9 +85,9 @@ ENTRY = Entry(
     function=phosphor_decay,
     topic="scanning",
     title="Phosphor decay",
-    summary="Every step multiplies by exp(-dt/tau), so ten short steps end where one long step does.",
+    summary="Every step multiplies by exp(−dt/τ), so ten short steps end where one long step does.",
     parameters=(
-        Parameter("terms", "w_k, tau_k", "points", _P31, meaning="weight and time constant in ms: P31"),
+        Parameter("terms", "w_k, τ_k", "points", _P31, meaning="weight and time constant in ms: P31"),
         Parameter("dt", "dt", "float", 0.5, 0.0, 1e6, "ms", "length of a step"),
         Parameter("steps", "n", "int", 12, 0, 100000, "", "number of steps"),
     ),
@@ -100,7 +100,7 @@ ENTRY = Entry(
         View(
             block="Let every term fade",
             tables={"Terms": ("[(j, states[j]) for j in range(len(states))]", ("k", "light"))},
-            sentence="In {dt} ms each term keeps exp(−dt/tau) of its light; together {light} is left.",
+            sentence="In {dt} ms each term keeps exp(−dt/τ) of its light; together {light} is left.",
         ),
         View(
             block="Show the light that is left",

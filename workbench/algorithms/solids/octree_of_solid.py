@@ -142,6 +142,6 @@ ENTRY = Entry(
     marks=marks,
     frame="world",
     stack="waiting",
-    counted={"cells divided": Counted("cell divided", ("Divide it",))},
+    counted={"cells divided": Counted("cell divided", ("Divide it",), "divided")},
     keeps={"nodes": Kept("node", "1 + counted['cells divided']")},
 )

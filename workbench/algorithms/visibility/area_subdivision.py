@@ -122,6 +122,6 @@ ENTRY = Entry(
     writes="image",
     marks=square_marks,
     stack="waiting",
-    counted={"squares divided": Counted("square divided", ("Divide",))},
+    counted={"squares divided": Counted("square divided", ("Divide",), "divided")},
     keeps={"squares": Kept("square", "3 * (max(image.shape) - 1).bit_length() + 1")},
 )

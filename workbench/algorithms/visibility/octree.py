@@ -109,7 +109,7 @@ ENTRY = Entry(
     writes="image",
     marks=square_marks,
     stack="waiting",
-    counted={"cells divided": Counted("cell divided", ("Divide",))},
+    counted={"cells divided": Counted("cell divided", ("Divide",), "divided")},
     keeps={
         "flags": Kept("flag", "image.size"),
         "cells": Kept("cell", "7 * (max(image.shape) - 1).bit_length() + 1"),

@@ -143,6 +143,6 @@ ENTRY = Entry(
     tie="Of equal depths the lower number is taken",
     writes="image",
     marks=box_marks,
-    counted={"boxes divided": Counted("box divided", ("Put a box around each",))},
+    counted={"boxes divided": Counted("box divided", ("Put a box around each",), "divided")},
     keeps={"boxes": Kept("box", "2 * counted['boxes divided'] + 1")},
 )

@@ -64,6 +64,7 @@ class MorphDock(TrackDock):
             return
         first, second = around
         self.key = first
+        self.shift.belong_to(first.id)
         figure = next(each for each in sheet.figures if each.id == track.target.split("/")[0])
         title = _("{what}: frame {first} to {second}").format(
             what=label_of(sheet, track.target), first=first.frame, second=second.frame

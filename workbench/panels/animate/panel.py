@@ -79,7 +79,6 @@ class AnimatePanel(SteppedPanel):
                 ("step_track", _("Step through the in-betweens"), "list-numbers", "", self._step_track),
             ],
         )
-        self.empty.lasting = True  # with every tool nothing moves yet
         self.card.fold()
 
     def _connect_timeline(self) -> None:
@@ -160,6 +159,11 @@ class AnimatePanel(SteppedPanel):
         """As everywhere; what moves in a scene is no reason to draw."""
         if self.session.sheet.scene is None:
             super()._take_tool_when_empty()
+
+    @property
+    def invitation(self) -> str:
+        """The usual one: with every tool nothing moves yet."""
+        return ""
 
     def show_example(self) -> None:
         """Open the bouncing ball."""

@@ -68,6 +68,8 @@ class ClipCard(ParameterCard):
 
     def refresh(self, tool: FigureTool | None, figures: Sequence[AnyFigure], summary: str) -> None:
         """Show what is selected, or what ``tool`` draws next, and the window."""
+        for field in self.sides.values():
+            field.belong_to(self._session.sheet.id)
         super().refresh(tool, figures, summary)
         for field in self._size or ():
             field.hide()

@@ -51,6 +51,7 @@ from workbench.panels.stage.folding_card import fill_choices
 from workbench.panels.stage.tools import FigureTool
 from workbench.rendering.curve_runs import construction_fault, construction_of, constructions_of
 from workbench.widgets.canvas.drawing import ink_of
+from workbench.widgets.canvas.surface import CanvasSurface
 from workbench.widgets.fields.number_field import NumberField
 from workbench.widgets.look.icons import set_icon
 from workbench.widgets.look.tokens import tokens
@@ -72,11 +73,11 @@ class CurveCard(ParameterCard):
 
     offers_comparison = False
 
-    def __init__(self, focus: CurveFocus, parent: QWidget) -> None:
+    def __init__(self, focus: CurveFocus, canvas: CanvasSurface) -> None:
         self.focus = focus
         self._pen: PenTool | None = None
         self._freehand: FreehandTool | None = None
-        super().__init__(focus.session, parent)
+        super().__init__(focus.session, canvas)
         body = self._body.layout()
         assert body is not None
         body.setSpacing(6)
@@ -210,6 +211,8 @@ class CurveCard(ParameterCard):
         curve = one if isinstance(one, Curve) else None
         self._offer_free_knots(curve is not None)
         model = curve or (self._pen.model if self._pen is not None and not figures else None)
+        for field in (self.degree, self.tolerance, *self.shape.values()):
+            field.belong_to(curve.id if curve is not None else "")
         first: tuple[QWidget, ...] = (
             self.spline,
             self.degree,

@@ -1,10 +1,12 @@
 """Keeps the canvas and the card of the Curves panel in step with the session and what is looked at."""
 
 import time
+from itertools import chain
 
 import numpy as np
 
 from workbench.document.model import Curve, CurvePoint, Sheet
+from workbench.document.state import FIGURES
 from workbench.engine.containers import same
 from workbench.geometry.conventions import round_half_up
 from workbench.panels.curves.card import CurveCard
@@ -29,7 +31,7 @@ from workbench.panels.curves.still import Parting, moving_part, parted, with_han
 from workbench.panels.curves.tools import CurveSelectTool
 from workbench.panels.stage.compose import Composition, with_answer, with_asked, with_band
 from workbench.panels.stage.gesture import HandleDrag, Tool
-from workbench.panels.stage.outline import outline
+from workbench.panels.stage.outline import outlines
 from workbench.panels.stage.picture import packed, pale_picture, picture
 from workbench.panels.stage.tools import FigureTool
 from workbench.panels.stage.view import FigureView
@@ -83,20 +85,17 @@ class CurveView(FigureView):
             self._pixels_ms = (time.perf_counter() - before) * 1e3
         chosen = set(session.state.selection)
         selected = [figure for figure in session.frames.sheet.figures if figure.id in chosen]
+        others = [f for f in sheet.figures if f.visible and not isinstance(f, Curve)]
+        marked = [f for f in selected if not isinstance(f, Curve)]
         overlay = Overlay(
-            ideal=tuple(
-                line
-                for figure in sheet.figures
-                if figure.visible and not isinstance(figure, Curve)
-                for line in outline(sheet, figure)
-            ),
-            outlined=tuple(line for f in selected if not isinstance(f, Curve) for line in outline(sheet, f)),
+            ideal=tuple(chain.from_iterable(outlines(sheet, others))),
+            outlined=tuple(chain.from_iterable(outlines(sheet, marked))),
             handles=tuple(self._grips(parting is not None)) if len(selected) == 1 else (),
             drawn=tuple(self.drawn() if parting is None else self._moving(parting)),
             still=None if parting is None else parting.still,
             snap=self._snapped(),
         )
-        overlay = with_asked(with_band(overlay, tool.band), session.state.pixel)
+        overlay = with_asked(with_band(overlay, tool.band), session.state.asked(FIGURES))
         overlay = with_answer(overlay, session.run.answered)
         self.canvas.set_overlay(overlay if self.box is None else self.box.over(overlay))
         if not busy or not isinstance(tool, CurveSelectTool):

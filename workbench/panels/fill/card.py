@@ -86,6 +86,7 @@ class FillCard(ParameterCard):
         kind: SeedFill | SeedTool | None = fills[0] if len(fills) == 1 == len(figures) else seed
         slug = kind.drawn_with if isinstance(kind, SeedFill) else kind.algorithm if kind is not None else ""
         entry = catalogue.get(slug) if slug else None
+        self.limit.belong_to(fills[0].id if kind in fills else "")
         self.boundary.setVisible(entry is not None and stops_at_boundary(entry.slug))
         self.limit.setVisible(entry is not None and entry.stack == CALLS)
         if kind is not None:

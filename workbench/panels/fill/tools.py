@@ -182,7 +182,7 @@ class SeedTool(FigureTool):
     @property
     def invitation(self) -> str:
         """How to begin."""
-        return _("Click where the fill begins; draw a boundary around it first, or it takes the whole sheet.")
+        return _("Draw a boundary, then click inside it; without one the whole sheet is filled.")
 
     def press(self, x: float, y: float, modifiers: Modifiers, reach: float) -> None:
         """Fill from here, or say why not."""

@@ -4,22 +4,22 @@ import html
 from functools import partial
 from threading import Event
 
-from PySide6.QtCore import QSize, Qt, QTimer
-from PySide6.QtGui import QKeyEvent, QShowEvent
-from PySide6.QtWidgets import QLabel, QListWidget, QListWidgetItem, QVBoxLayout, QWidget
+from PySide6.QtCore import Qt, QTimer
+from PySide6.QtGui import QShowEvent
+from PySide6.QtWidgets import QListWidgetItem, QWidget
 
 from workbench.algorithms import catalogue
 from workbench.document.model import Sheet
+from workbench.document.state import FIGURES, SessionState
 from workbench.document.subjects import Subject
 from workbench.language import _, ngettext
 from workbench.panels.panel import DockPart, PlainPanel
+from workbench.panels.shared.pixel_list import PixelList, line
 from workbench.panels.stage.card import kind_title
 from workbench.rendering.why_steps import MOST, Abandoned, Answer, nothing_happened, why_steps
 from workbench.session.answers import Answers
 from workbench.session.session import Session
 from workbench.widgets.look.icons import icon
-from workbench.widgets.look.in_sight import bring_forward
-from workbench.widgets.look.plain_keys import is_plain
 
 _SETTLE_MS = 150
 _PLACE = "why"
@@ -27,32 +27,14 @@ _ICONS = {"wrote": ("pencil-simple", "text"), "tested": ("eye", "muted"), "refus
 _Looked = tuple[Event, list[Answer], str]
 
 
-class WhyList(QWidget):
-    """The list over a session; it follows ``session.state.pixel`` and looks only while it is seen."""
+class WhyList(PixelList):
+    """The list over a session; it follows the pixel asked about, and looks only while it is seen."""
 
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self._session = session
+        super().__init__(session, _("What happened to the pixel"), parent)
         self._given_up = Event()
         self._asked: tuple[Sheet, tuple[int, int]] | None = None
         self.answers: list[Answer] = []
-        self.caption = QLabel()
-        self.caption.setWordWrap(True)
-        self.caption.setContentsMargins(12, 8, 12, 4)
-        self.list = QListWidget()
-        self.list.setWordWrap(True)
-        self.list.setIconSize(QSize(16, 16))
-        self.list.setAccessibleName(_("What happened to the pixel"))
-        self.list.setToolTip(_("Click a line to go to that step"))
-        self.list.setFrameShape(QListWidget.Shape.NoFrame)
-        self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.list.itemClicked.connect(self._go)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(0)
-        column.addWidget(self.caption)
-        column.addWidget(self.list, 1)
-        self.setAutoFillBackground(True)
         self._settle = QTimer(self)
         self._settle.setSingleShot(True)
         self._settle.setInterval(_SETTLE_MS)
@@ -61,7 +43,6 @@ class WhyList(QWidget):
         self._answers.arrived.connect(self._take)
         session.changed.connect(self._stale)
         session.state_changed.connect(self._state_changed)
-        session.why_asked.connect(self._come_forward)
         self._say_empty()
 
     @property
@@ -69,15 +50,12 @@ class WhyList(QWidget):
         """Whether an answer is still awaited."""
         return self._settle.isActive() or not self.list.isEnabled()
 
-    def _state_changed(self, old: object, new: object) -> None:
-        pixel = self._session.state.pixel
-        if pixel != getattr(old, "pixel", None) or self._session.state.sheet != getattr(old, "sheet", ""):
+    def _state_changed(self, old: SessionState, new: SessionState) -> None:
+        pixel = new.asked(FIGURES)
+        if pixel != old.asked(FIGURES) or new.sheet != old.sheet:
             if pixel is not None:
-                self._come_forward()
+                self.come_forward()
             self._stale()
-
-    def _come_forward(self) -> None:
-        bring_forward(self)
 
     def showEvent(self, event: QShowEvent) -> None:
         """Look when it is seen."""
@@ -85,7 +63,7 @@ class WhyList(QWidget):
         self._stale()
 
     def _stale(self, *_arguments: object) -> None:
-        pixel = self._session.state.pixel
+        pixel = self._session.state.asked(FIGURES)
         if pixel is None:
             self._given_up.set()
             self._say_empty()
@@ -103,7 +81,7 @@ class WhyList(QWidget):
 
     def _look(self) -> None:
         """Ask, on a thread of its own; an older question is given up."""
-        session, pixel = self._session, self._session.state.pixel
+        session, pixel = self._session, self._session.state.asked(FIGURES)
         if pixel is None or not self.isVisible():
             return
         self._given_up.set()
@@ -140,15 +118,10 @@ class WhyList(QWidget):
             verb = _("wrote it, and its colour remains")
         where = _("Step {n}").format(n=answer.step) if answer.step else _("Before the first step")
         head = f"{where}: {figure.name or kind_title(figure)}, {title}, {verb}."
-        item = QListWidgetItem(icon(*_ICONS[answer.verb]), f"{head}\n{answer.sentence}".strip())
-        if answer.stands:
-            font = item.font()
-            font.setWeight(font.Weight.DemiBold)
-            item.setFont(font)
-        item.setData(Qt.ItemDataRole.UserRole, (answer.figure_id, answer.step))
-        return item
+        text = f"{head}\n{answer.sentence}".strip()
+        return line(icon(*_ICONS[answer.verb]), text, (answer.figure_id, answer.step), answer.stands)
 
-    def _go(self, item: QListWidgetItem) -> None:
+    def go(self, item: QListWidgetItem) -> None:
         """Let the stepper show this step; in a place of its own where a run of another kind is stepped."""
         figure, step = item.data(Qt.ItemDataRole.UserRole)
         if any(known.id == figure for known in self._session.sheet.figures):
@@ -156,14 +129,6 @@ class WhyList(QWidget):
             if not self._session.subject.is_of(Subject(ids=(figure,))):
                 self._session.visit(_PLACE, Subject())
             self._session.update_state(step=step, detail=False)
-
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Enter goes to the step that is marked."""
-        item = self.list.currentItem()
-        if is_plain(event) and event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter) and item is not None:
-            self._go(item)
-        else:
-            super().keyPressEvent(event)
 
 
 def _looked(given_up: Event, sheet: Sheet, pixel: tuple[int, int]) -> _Looked | None:

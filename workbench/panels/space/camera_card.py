@@ -204,7 +204,9 @@ class CameraCard(QFrame):
             self._camera = camera
             for field in self.fields.values():
                 field.complain("")
+        owner = self._looking.session.sheet.id, camera.projection
         for name, field in self.fields.items():
+            field.belong_to(owner)
             field.set_value(self._value(camera, name))
             if name in ("distance", "oblique_alpha", "oblique_phi", "angle_y", "angle_x"):
                 field.setVisible(name in shown)

@@ -195,11 +195,14 @@ class DerivationDock(QScrollArea):
         if not perspective:
             now = (
                 _(
-                    "The matrix is your own now, and its projectors meet in a point; this is the perspective "
-                    "with $d = {d}$."
+                    "This is a matrix of your own, and its projectors meet at a point. The triangles here "
+                    "are those of the perspective with $d = {d}$."
                 )
                 if central
-                else _("The projectors are parallel now; this is the perspective with $d = {d}$.")
+                else _(
+                    "The projectors are parallel now. The triangles here are those of the perspective with "
+                    "$d = {d}$."
+                )
             )
             lines.insert(0, now.format(d=displayed(camera.distance)))
         self.words.setText("<br>".join(map(rich, lines)))

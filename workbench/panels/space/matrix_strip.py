@@ -70,6 +70,7 @@ class MatrixStrip(QWidget):
 
     def show_camera(self, camera: Camera, anew: bool) -> None:
         """Show the matrices of a camera; ``anew`` they take no more room than their own numbers need."""
+        self.row.belong_to(self._looking.session.sheet.id)
         if camera == self._camera and self._looking.z_towards_eye == self._z_towards_eye:
             return
         self._z_towards_eye = self._looking.z_towards_eye

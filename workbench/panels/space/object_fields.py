@@ -140,18 +140,13 @@ class ObjectFields(QScrollArea):
 
     def _set(self, name: str, merge: str, value: float) -> None:
         thing = self._thing
-        if thing is None:
-            return
+        assert thing is not None
         identity, slash, attribute = name.partition("/")
         if slash:
-            link = next((each for each in thing.transforms if each.id == identity), None)
-            if link is None:
-                return
+            link = next(each for each in thing.transforms if each.id == identity)
             edit, now = set_link(thing.id, replace(link, **{attribute: value})), getattr(link, attribute)
         else:
-            number = numbers_of(type(thing.solid)).get(name)
-            if number is None:  # the field was left because another solid was chosen
-                return
+            number = numbers_of(type(thing.solid))[name]
             edit = set_solid_parameter(thing.id, name, int(value) if number.whole else value)
             now = getattr(thing.solid, name)
         try:

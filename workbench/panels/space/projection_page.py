@@ -38,7 +38,7 @@ from workbench.panels.space.stepping_choice import SteppingChoice
 from workbench.panels.space.view_commands import ViewCommands
 from workbench.panels.space.view_cube import SIDE_PX, ViewCube
 from workbench.panels.space.view_tools import ViewTools, tools_of
-from workbench.panels.stage.empty import EmptyState
+from workbench.panels.stage.invitation import Invitation
 from workbench.panels.stage.plain_page import PlainPage
 from workbench.rendering.subjects.projection import KIND, clips, is_of_a_vertex, seen_from
 from workbench.session.session import Session
@@ -78,7 +78,7 @@ class ProjectionPage(ViewCommands, PlainPage, QWidget):
         self.tables_view = PolygonTablesView()
         self.contrast = ContrastDock()
         self.derived = DerivationDock()
-        self.empty = EmptyState(
+        self.empty = Invitation(
             self.eye,
             _("There is nothing to look at yet."),
             partial(self.objects.add_solid, offers()[0]),

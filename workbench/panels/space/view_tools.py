@@ -9,10 +9,10 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QFrame, QMenu, QToolButton, QVBoxLayout, QWidget
 
 from workbench.language import _
-from workbench.widgets.look.action_button import ActionButton
+from workbench.widgets.look.action_button import SIDE_PX, ActionButton
 from workbench.widgets.look.icons import set_icon
 
-_BAR_PX, _BUTTON_PX = 44, 32
+_BAR_PX = 44
 
 
 class Tool(NamedTuple):
@@ -90,7 +90,7 @@ class ViewTools(QFrame):
             action = self._action(tool, parent)
             if tool.icon:
                 set_icon(action, tool.icon)
-                self._added(column, ActionButton(action)).setAccessibleName(tool.title)
+                self._added(column, ActionButton(action, name=tool.title))
             else:
                 self.menu.addAction(action)
         column.addStretch(1)
@@ -104,7 +104,7 @@ class ViewTools(QFrame):
 
     @staticmethod
     def _added(column: QVBoxLayout, button: QToolButton) -> QToolButton:
-        button.setFixedSize(_BUTTON_PX, _BUTTON_PX)
+        button.setFixedSize(SIDE_PX, SIDE_PX)
         column.addWidget(button)
         return button
 

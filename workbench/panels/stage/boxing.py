@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable, Sequence
+from itertools import chain
 
 import numpy as np
 from msgspec.structs import replace
@@ -14,7 +15,7 @@ from workbench.document.transforms.names import undo_names
 from workbench.geometry.transform_box import Box, Point
 from workbench.language import _
 from workbench.panels.stage.gesture import Gesture
-from workbench.panels.stage.outline import Curve, outline
+from workbench.panels.stage.outline import Curve, outlines
 from workbench.rendering import device_map
 from workbench.rendering.extents import extent_of
 from workbench.rendering.mapping import Box as Extent
@@ -93,7 +94,8 @@ class Boxing(QObject):
     def outlines(self) -> list[Curve]:
         """That as polylines (n, 2), where the first view shows them, device."""
         first = replace(self.session.frames.sheet, views=self.session.sheet.views[:1])
-        return [line for figure in self.selected() if figure.visible for line in outline(first, figure)]
+        seen = [figure for figure in self.selected() if figure.visible]
+        return list(chain.from_iterable(outlines(first, seen)))
 
     def weight(self) -> int:
         """How much is to be changed at each step of a drag, and drawn anew."""

@@ -37,6 +37,7 @@ from workbench.panels.stage.tools import FigureTool
 from workbench.panels.stage.transform_form import TransformForm
 from workbench.rendering import REACH_PX, reach_of
 from workbench.session.session import Session
+from workbench.widgets.canvas.surface import CanvasSurface
 from workbench.widgets.fields.choice_box import ChoiceBox
 from workbench.widgets.fields.number_field import NumberField
 from workbench.widgets.look.tips import tell_choice
@@ -100,8 +101,8 @@ class ParameterCard(FoldingCard):
     offers_algorithms = True
     offers_comparison = True
 
-    def __init__(self, session: Session, parent: QWidget) -> None:
-        super().__init__(parent)
+    def __init__(self, session: Session, canvas: CanvasSurface) -> None:
+        super().__init__(canvas)
         self._session = session
         self._shown: tuple[object, ...] = ()
         self._fields: dict[str, NumberField] = {}

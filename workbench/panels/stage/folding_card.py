@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
 )
 
 from workbench.language import _
+from workbench.widgets.canvas.surface import CanvasSurface
 from workbench.widgets.look.icons import set_icon
 from workbench.widgets.look.tokens import TEXT_PX
 
@@ -31,7 +32,7 @@ class FoldingCard(QFrame):
 
     folded = Signal(bool)
 
-    def __init__(self, canvas: QWidget, width: int = WIDTH_PX) -> None:
+    def __init__(self, canvas: CanvasSurface, width: int = WIDTH_PX) -> None:
         super().__init__(canvas)
         self._canvas = canvas
         self.setObjectName("card")
@@ -43,9 +44,7 @@ class FoldingCard(QFrame):
         self.title.setStyleSheet("font-weight: 600;")
         self._fold = QToolButton()
         self._fold.setFixedSize(22, 22)
-        set_icon(self._fold, "caret-up", "muted")
-        self._fold.setToolTip(_("Fold this card"))
-        self._fold.setAccessibleName(_("Fold this card"))
+        self._say_fold(True)
         head = QHBoxLayout()
         head.addWidget(self.title, 1)
         head.addWidget(self._fold)
@@ -86,8 +85,14 @@ class FoldingCard(QFrame):
             self._fit()
             self.folded.emit(self._area.isHidden())
 
-    def _set_open(self, open_: bool) -> None:
+    def _say_fold(self, open_: bool) -> None:
+        words = _("Fold this card") if open_ else _("Unfold this card")
         set_icon(self._fold, "caret-up" if open_ else "caret-down", "muted")
+        self._fold.setToolTip(words)
+        self._fold.setAccessibleName(words)
+
+    def _set_open(self, open_: bool) -> None:
+        self._say_fold(open_)
         self._area.setVisible(open_)
         self._fit()
         self.folded.emit(not open_)
@@ -114,10 +119,7 @@ class FoldingCard(QFrame):
 
     def _ends_at(self) -> int:
         """Where the picture ends, above the numbers of its axis."""
-        area = getattr(self._canvas, "area", None)
-        if area is None:
-            return self._canvas.height()
-        return min(self._canvas.height(), int(area.bottom / self._canvas.devicePixelRatioF()))
+        return int(self._canvas.area.bottom / self._canvas.devicePixelRatioF())
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Over a narrow picture it is folded, until somebody opens it, so that the picture is seen."""

@@ -48,10 +48,12 @@ def _unclipped(views: tuple[View, ...]) -> tuple[View, ...]:
     return tuple(replace(view, clip_world=None) for view in views)
 
 
-def clipped_outline(sheet: Sheet, figure: AnyFigure) -> tuple[Curve, ...]:
-    """As ``outline``, clipped to the clip windows too, by the sheet's clippers."""
-    key = sheet.views, sheet.line_clipper, sheet.polygon_clipper, figure
-    return _clipped.get(key, lambda: _polylines_by_figure(replace(sheet, figures=(figure,)))[0])
+def clipped_outlines(sheet: Sheet, figures: Sequence[AnyFigure]) -> list[tuple[Curve, ...]]:
+    """As ``outlines``, clipped to the clip windows too, by the sheet's clippers."""
+    return _clipped.get_all(
+        [(sheet.views, sheet.line_clipper, sheet.polygon_clipper, figure) for figure in figures],
+        lambda missing: _polylines_by_figure(replace(sheet, figures=tuple(figures[k] for k in missing))),
+    )
 
 
 def prepare(sheet: Sheet, figure: AnyFigure) -> None:
@@ -86,10 +88,9 @@ def figure_at(sheet: Sheet, x: float, y: float, reach: float) -> AnyFigure | Non
     several about as near the front one. Where none is, the area that is seen there.
     """
     nearest, away = None, reach
-    for figure in reversed(sheet.figures):
-        if not figure.visible:
-            continue
-        here = distance_to(outline(sheet, figure), x, y)
+    seen = [figure for figure in reversed(sheet.figures) if figure.visible]
+    for figure, curves in zip(seen, outlines(sheet, seen), strict=True):
+        here = distance_to(curves, x, y)
         if here <= away and (nearest is None or here < away - _AS_NEAR * reach):
             nearest, away = figure, here
     return nearest or _area_at(sheet, round_half_up(x), round_half_up(y))

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QCursor, QHideEvent, QKeyEvent, QShowEvent
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QVBoxLayout, QWidget
 
 from workbench.document.edits import move_figures, remove_figures
 from workbench.document.model import AnyFigure
@@ -14,8 +14,8 @@ from workbench.language import _
 from workbench.panels.panel import KeysWhileSeen, Said
 from workbench.panels.stage.actions import FigureActions, PanelCommand, tool_cursor
 from workbench.panels.stage.chosen import ChosenFigures
-from workbench.panels.stage.empty import EmptyState
 from workbench.panels.stage.gesture import HandleDrag, Modifiers, Tool
+from workbench.panels.stage.invitation import Invitation
 from workbench.panels.stage.outline import figure_at, prepare
 from workbench.panels.stage.pointed import Pointed
 from workbench.panels.stage.tools import FigureTool, SelectTool
@@ -76,7 +76,7 @@ class FigurePanel(ChosenFigures, QWidget):
         card.move(left + CARD_GAP_PX, CARD_GAP_PX)
         self._card = card
         self.leave_room(False)
-        self.empty = EmptyState(self.canvas, invitation, self.show_example)
+        self.empty = Invitation(self.canvas, invitation, self.show_example)
         self._bar = QFrame()
         self._bar.setFixedWidth(TOOL_BAR_PX)
         column = QVBoxLayout(self._bar)
@@ -91,10 +91,10 @@ class FigurePanel(ChosenFigures, QWidget):
         self._actions = FigureActions(self, commands, self.transforms).made
         names = [tool.name for tool in self.tools]
         for name in (*names[:1], *(row[0] for row in self.transforms[:1]), *names[1:]):
-            column.addWidget(self._button(self._actions[name]))
+            column.addWidget(ActionButton(self._actions[name]))
         column.addStretch(1)
         for name in ("zoom_in", "zoom_out", "fit"):
-            column.addWidget(self._button(self._actions[name]))
+            column.addWidget(ActionButton(self._actions[name]))
         self._connect_canvas()
         self.choose_tool("select" if self.session.sheet.figures else self.first_tool)
         KeysWhileSeen(self, self._actions.values())
@@ -108,6 +108,11 @@ class FigurePanel(ChosenFigures, QWidget):
     def show_example(self) -> None:
         """Open the panel's own example."""
         raise NotImplementedError
+
+    @property
+    def invitation(self) -> str:
+        """What an empty sheet says with the tool that is taken, in place of what it usually says."""
+        return "" if self.tool.name == self.first_tool else self.tool.invitation
 
     def serves(self, figure: AnyFigure) -> bool:
         """Whether this workspace is about figures of such a kind."""
@@ -145,11 +150,6 @@ class FigurePanel(ChosenFigures, QWidget):
     def said(self) -> Said:
         """What is under the pointer or said in passing, and the zoom."""
         return Said(self.hover_text, self.zoom_text)
-
-    def _button(self, action: QAction) -> QToolButton:
-        button = ActionButton(action)
-        button.setFixedSize(32, 32)
-        return button
 
     def point_at(self, cell: tuple[int, int] | None) -> None:
         """Point at a pixel that the sentence names, until the run moves; None when no longer."""
@@ -217,7 +217,7 @@ class FigurePanel(ChosenFigures, QWidget):
         self._say_zoom()
         self.show_now()
         self.empty.low = bool(self.session.sheet.figures)
-        self.empty.follow("" if self.tool.name == self.first_tool else self.tool.invitation)
+        self.empty.say(self.invitation)
         self.empty.setVisible(not self.gesturing and not self._serves_here())
         chosen = self.selected() if self.isVisible() else []
         for name in {"cut", "delete", "duplicate", "forwards", "backwards"} & self._actions.keys():

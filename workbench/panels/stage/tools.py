@@ -8,7 +8,7 @@ from workbench.document.model import AnyFigure, Circle, Ellipse, Line, Polygon, 
 from workbench.geometry.conventions import round_half_up
 from workbench.language import _
 from workbench.panels.stage.gesture import Cell, Modifiers, Tool, radius_between, snapped, span_text
-from workbench.panels.stage.outline import figure_at, outline
+from workbench.panels.stage.outline import figure_at, outlines
 from workbench.rendering import device_map
 from workbench.session.session import Session
 
@@ -78,8 +78,7 @@ class SelectTool(Tool):
         there = {figure.id for figure in figures}
         self._kept = tuple(kept for kept in self._kept if kept in there)
         inside, outside = [], set()
-        for figure in figures:
-            curves = outline(self.session.frames.sheet, figure)
+        for figure, curves in zip(figures, outlines(self.session.frames.sheet, figures), strict=True):
             points = np.concatenate(curves) if curves else np.empty((0, 2))
             if len(points) and ((points >= low) & (points <= high)).all():
                 inside.append(figure)

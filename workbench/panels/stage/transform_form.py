@@ -79,6 +79,8 @@ class TransformForm(QWidget):
 
     def refresh(self, pivot: Point | None) -> None:
         """Show the pivot, world; without one there is nothing to transform."""
+        for field in self.fields.values():
+            field.belong_to(self._boxing and self._boxing.boxed())
         self.setVisible(pivot is not None)
         for field, value in zip(self.pivot, pivot or (), strict=False):
             field.set_value(round(value, 6))

@@ -8,6 +8,7 @@ from PySide6.QtGui import QImage
 from workbench.algorithms import catalogue
 from workbench.algorithms.marks import Mark
 from workbench.document.model import AnyFigure, Sheet
+from workbench.document.state import FIGURES
 from workbench.language import _
 from workbench.panels.stage.card import ParameterCard, kind_title
 from workbench.panels.stage.compose import (
@@ -74,7 +75,7 @@ class FigureView:
         chosen = set(session.state.selection)
         selected = [figure for figure in session.frames.sheet.figures if figure.id in chosen]
         overlay = with_band(with_selection(made.overlay, sheet, selected, drag.held), tool.band)
-        overlay = with_answer(with_asked(overlay, session.state.pixel), session.run.answered)
+        overlay = with_answer(with_asked(overlay, session.state.asked(FIGURES)), session.run.answered)
         snap = tool.snap if isinstance(tool, FigureTool) else None
         self.canvas.set_picture(made.pixels, made.background)
         self.put(replace(overlay, snap=snap))

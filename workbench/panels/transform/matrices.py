@@ -67,6 +67,7 @@ class Matrices(QScrollArea):
         high = [view.heightForWidth(view.width()) for view in self.views]
         for k, (view, row) in enumerate(zip(self.views, rows, strict=False)):
             view.set_shows(row.shows)
+            view.belong_to(tuple(stage.link.id for stage in row.of.values()))
             view.set_terms(row.terms)
             view.set_highlights((*_lights(row, lit), *row.highlights))
             view.setVisible(k > 0 or self._with_symbols)

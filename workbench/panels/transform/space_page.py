@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QComboBox, QVBoxLayout, QWidget
 from workbench.document.scene.model import Object
 from workbench.document.subjects import Subject
 from workbench.language import _
-from workbench.panels.stage.empty import EmptyState
+from workbench.panels.stage.invitation import Invitation
 from workbench.panels.transform.chain_dock import ChainDock
 from workbench.panels.transform.chain_edits import ObjectChain
 from workbench.panels.transform.ground import Ground
@@ -44,7 +44,7 @@ class SpacePage(QWidget):
         self.matrices.said.connect(self.said)
         self.matrices.fit_wanted.connect(self._fit)
         self.view.next_wanted.connect(self.next_vertex)
-        self.empty = EmptyState(self.view, _("There is nothing in space yet."), self.show_example)
+        self.empty = Invitation(self.view, _("There is nothing in space yet."), self.show_example)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(1)

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction, QKeySequence
-from PySide6.QtWidgets import QFrame, QToolButton, QVBoxLayout
+from PySide6.QtWidgets import QFrame, QVBoxLayout
 
 from workbench.language import _
 from workbench.panels.stage.actions import PanelCommand
@@ -28,7 +28,7 @@ def view_actions(panel: "ViewingPanel", bar: QFrame) -> dict[str, QAction]:
         action = made[tool.name] = _action(panel, (tool.name, tool.title, tool.icon, tool.key, choose))
         action.setCheckable(True)
         action.setToolTip(f"{tool.tip} ({tool.key})")
-        column.addWidget(_button(action))
+        column.addWidget(ActionButton(action))
     column.addStretch(1)
     zooms: tuple[PanelCommand, ...] = (
         ("zoom_in", _("Zoom in: a smaller window"), "magnifying-glass-plus", "Ctrl++", lambda: panel.zoom(1)),
@@ -43,7 +43,7 @@ def view_actions(panel: "ViewingPanel", bar: QFrame) -> dict[str, QAction]:
     )
     for command in zooms:
         made[command[0]] = _action(panel, command)
-        column.addWidget(_button(made[command[0]]))
+        column.addWidget(ActionButton(made[command[0]]))
     made["copy_picture"] = _action(
         panel, ("copy_picture", _("Copy picture"), "clipboard", "Ctrl+Shift+C", panel.copy)
     )
@@ -61,9 +61,3 @@ def _action(panel: "ViewingPanel", row: PanelCommand) -> QAction:
     set_icon(action, picture)
     panel.addAction(action)
     return action
-
-
-def _button(action: QAction) -> QToolButton:
-    button = ActionButton(action)
-    button.setFixedSize(32, 32)
-    return button

@@ -87,6 +87,7 @@ class ViewCard(QScrollArea):
         self.complaint.setProperty("role", "error")
         self.complaint.hide()
         self._complained_of: View | None = None
+        self._named = ""
         self._column.addWidget(self.complaint)
         self._make_modes()
         self._make_clipping()
@@ -198,7 +199,8 @@ class ViewCard(QScrollArea):
             self.views.clear()
             self.views.addItems(names)
         place = sheet.views.index(view)
-        if line is not None and not (line.hasFocus() and line.isModified()):
+        other, self._named = view.id != self._named, view.id
+        if line is not None and (other or not (line.hasFocus() and line.isModified())):
             self.views.setCurrentIndex(place)
             line.setText(names[place])
         self.remove.setEnabled(len(names) > 1)
@@ -211,7 +213,7 @@ class ViewCard(QScrollArea):
                 lit = frozenset(
                     side for side in SIDES if old and getattr(old, side) != getattr(rectangle, side)
                 )
-                self.rectangles[slug].show_rectangle(rectangle, lit)
+                self.rectangles[slug].show_rectangle(view.id, rectangle, lit)
         self.clips.setChecked(view.clip_world is not None)
         button = self.modes.button(MODES.index(view.mode))
         button.setChecked(True)

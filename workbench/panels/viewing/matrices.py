@@ -54,6 +54,7 @@ class Matrices(QWidget):
         """Show the matrices of a view; the cells are lit that differ from those ``before`` a drag."""
         cells = () if before is None else changed_cells(before, view)
         for row in (self.symbols, self.numbers):
+            row.belong_to(view.id)
             row.set_terms(terms_of(view))
             row.set_highlights(Highlight(*place) for place in cells)
 

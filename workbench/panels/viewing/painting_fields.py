@@ -97,6 +97,7 @@ class PaintingFields(QWidget):
         for chooser, slug in zip(self.clippers, slugs, strict=True):
             chooser.setCurrentIndex(chooser.findData(slug))
         for field, size in zip(self.sizes, (sheet.width_px, sheet.height_px), strict=True):
+            field.belong_to(sheet.id)
             field.set_value(size)
 
     def _scale(self, factor: float) -> None:

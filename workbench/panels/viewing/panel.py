@@ -23,8 +23,8 @@ from workbench.exchange.diagrams import Derivation
 from workbench.exchange.formulas.terms import displayed
 from workbench.language import _
 from workbench.panels.panel import DockPart, KeysWhileSeen, PlainPanel, Said
-from workbench.panels.stage.empty import EmptyState
 from workbench.panels.stage.export import Exporter
+from workbench.panels.stage.invitation import Invitation
 from workbench.panels.stage.labels import clear_of
 from workbench.panels.viewing.actions import view_actions
 from workbench.panels.viewing.card import ViewCard, factors_of
@@ -113,7 +113,7 @@ class ViewingPanel(PlainPanel, QWidget):
         whole.addWidget(self._bar)
         whole.addLayout(middle, 1)
         self.setFocusProxy(self.left)
-        self.empty = EmptyState(self.left.plane, _("Nothing in the world."), self.show_example)
+        self.empty = Invitation(self.left.plane, _("Nothing in the world."), self.show_example)
         self.empty.button.setText(_("Show the house"))
 
     def _connect(self) -> None:

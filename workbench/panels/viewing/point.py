@@ -110,6 +110,8 @@ class PointCard(QScrollArea):
     def show_point(self, view: View, point: Point | None, clicked: bool) -> None:
         """Show the way of a point; None asks for one. Only a ``clicked`` one can be let go."""
         self._view, self._clicked = view, clicked
+        for field in self.fields.values():
+            field.belong_to(view.id)
         self.missing.setVisible(point is None)
         self.inputs.setVisible(point is not None)
         self.way.setVisible(point is not None)

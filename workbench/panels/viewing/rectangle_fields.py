@@ -86,10 +86,11 @@ class RectangleFields(QWidget):
             self._grid.removeWidget(field)
             self._grid.addWidget(field, number // columns, number % columns)
 
-    def show_rectangle(self, rectangle: Rectangle, lit: frozenset[str]) -> None:
-        """Show its sides; those in ``lit`` are the ones that a drag changes now."""
+    def show_rectangle(self, view: str, rectangle: Rectangle, lit: frozenset[str]) -> None:
+        """Show its sides in a view (an id); those in ``lit`` are the ones that a drag changes now."""
         self._rectangle = rectangle
         for side, field in self.fields.items():
+            field.belong_to(view)
             field.set_value(round(getattr(rectangle, side), 6))
             if field.property("lit") != (side in lit):
                 field.setProperty("lit", side in lit)

@@ -16,7 +16,7 @@ from workbench.algorithms.viewing import window_to_normalised
 from workbench.document.model import Rectangle, Sheet, View
 from workbench.exchange.formulas.terms import displayed
 from workbench.language import _
-from workbench.panels.stage.outline import clipped_outline, outline
+from workbench.panels.stage.outline import clipped_outlines, outlines
 from workbench.panels.stage.picture import picture, themed
 from workbench.panels.viewing.rectangles import Named, grips, rectangles
 from workbench.rendering.extent import world_extent
@@ -108,7 +108,8 @@ class Geometry:
     def __init__(self, sheet: Sheet, view: View, shown: Box, now: Tokens) -> None:
         self.sheet, self.view, self.shown, self.now = sheet, view, shown, now
         coloured = themed(sheet, now)
-        self._inks = [f"#{colour_of(coloured, figure):06X}" for figure in sheet.figures]
+        self._figures = [figure for figure in sheet.figures if figure.visible]
+        self._inks = [f"#{colour_of(coloured, figure):06X}" for figure in self._figures]
         self._whole: list[Curve] | None = None
         self._seen: dict[str, list[Curve]] = {}
 
@@ -124,9 +125,8 @@ class Geometry:
             back = view_map(view)
             self._whole = [
                 Curve(back.world(points), ink)
-                for figure, ink in zip(self.sheet.figures, self._inks, strict=True)
-                if figure.visible
-                for points in outline(through, figure)
+                for curves, ink in zip(outlines(through, self._figures), self._inks, strict=True)
+                for points in curves
             ]
         return self._whole
 
@@ -136,9 +136,8 @@ class Geometry:
             alone = replace(self.sheet, views=(view,))
             self._seen[view.id] = [
                 Curve(points, ink)
-                for figure, ink in zip(self.sheet.figures, self._inks, strict=True)
-                if figure.visible
-                for points in clipped_outline(alone, figure)
+                for curves, ink in zip(clipped_outlines(alone, self._figures), self._inks, strict=True)
+                for points in curves
             ]
         return self._seen[view.id]
 

@@ -172,6 +172,7 @@ class NumberField(QWidget):
         super().__init__(parent)
         self._low, self._high, self._step, self._integer, self._unit = low, high, step, integer, unit
         self._value = 0.0
+        self._owner: object = None
         self.label = _ScrubLabel(with_subscript(label))
         self.label.setToolTip(_("Drag sideways to change {name}.").format(name=label))
         self.field = EntryLine()
@@ -212,6 +213,12 @@ class NumberField(QWidget):
     def value(self) -> float:
         """The last good value."""
         return self._value
+
+    def belong_to(self, owner: object) -> None:
+        """Be a number of ``owner``, named by its id; what was typed for another one is left out."""
+        if owner != self._owner:
+            self._owner = owner
+            self._show()
 
     def set_value(self, value: float) -> None:
         """Show ``value``; what is being typed is not disturbed."""

@@ -81,6 +81,10 @@ class SliderField(QWidget):
         """The last good value."""
         return self.number.value()
 
+    def belong_to(self, owner: object) -> None:
+        """Be a number of ``owner``; what was typed for another one is left out."""
+        self.number.belong_to(owner)
+
     def set_value(self, value: float) -> None:
         """Show a value, and nothing else."""
         self._showing = True

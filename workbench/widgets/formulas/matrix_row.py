@@ -68,6 +68,7 @@ class MatrixRow(RowSurface):
         self.editor = CellEditor(self)
         self.editor.typed.connect(self._take_typed)
         self._typing: Place | None = None
+        self._owner: object = None
         self._press: tuple[Place, QPointF] | None = None
         self._dragged: float | None = None
         self._last_x = self._rest = 0.0
@@ -174,6 +175,12 @@ class MatrixRow(RowSurface):
         terms[number] = replace(term, cells=tuple(map(tuple, cells)))
         self.set_terms(terms)
         self.edited.emit(number, row, column, value)
+
+    def belong_to(self, owner: object) -> None:
+        """Show the matrices of ``owner``; a number that is being typed for another one is left out."""
+        if owner != self._owner:
+            self._owner = owner
+            self.editor.close_field()
 
     def edit(self, place: Place, text: str | None = None) -> None:
         """Open the field over a cell that can be changed, with ``text`` in it or else its number."""

@@ -9,7 +9,7 @@ from PySide6.QtGui import QColor, QPen
 from PySide6.QtWidgets import QWidget
 
 from workbench.exchange.tables import Table
-from workbench.language import _
+from workbench.language import _, ngettext
 from workbench.widgets.look.tokens import tokens
 from workbench.widgets.plots.plot import Plot
 
@@ -81,13 +81,20 @@ class DepthPlot(Plot):
         deepest = int(self._depths.max())
         first = self._begin_at + int(np.argmax(self._depths))
         if self._whole and self._calls:
-            text = _("{now} calls active; at most {deepest}, first at step {first}.")
+            text = ngettext(
+                "{now} call active; at most {deepest}, first at step {first}.",
+                "{now} calls active; at most {deepest}, first at step {first}.",
+                self._now,
+            )
         elif self._whole:
             text = _("{now} on the stack; at most {deepest}, first after step {first}.")
         elif self._calls:
-            text = _(
+            text = ngettext(
+                "{now} call active. Counted so far, from step {begin} to {end}: at most {deepest}, first at "
+                "step {first}.",
                 "{now} calls active. Counted so far, from step {begin} to {end}: at most {deepest}, first at "
-                "step {first}."
+                "step {first}.",
+                self._now,
             )
         else:
             text = _(

@@ -19,6 +19,7 @@ from workbench.widgets.stepping.step_slider import StepSlider
 HEIGHT, _NARROW_PX = 44, 700
 _DIGITS = 6  # for which there is room in any case
 _FRAME = 20  # around the digits
+_WORDS = Qt.ToolButtonStyle.ToolButtonTextOnly
 
 
 def stepping_key(run: Run, event: QKeyEvent) -> Callable[[], object] | None:
@@ -119,20 +120,11 @@ class StepBar(QWidget):
             action.triggered.connect(lambda: do())
         return action
 
-    def _button(self, action: QAction, words: bool = False) -> QToolButton:
-        button = ActionButton(action)
-        style = Qt.ToolButtonStyle
-        button.setToolButtonStyle(style.ToolButtonTextOnly if words else style.ToolButtonIconOnly)
-        button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        if not words:
-            button.setFixedSize(32, 32)
-        return button
-
     def _place(self) -> None:
         row = QHBoxLayout(self)
         row.setContentsMargins(8, 0, 8, 0)
         row.setSpacing(2)
-        moving = [self._button(each) for each in (self.first, self.back, self.play, self.forward, self.last)]
+        moving = [ActionButton(each) for each in (self.first, self.back, self.play, self.forward, self.last)]
         for button in moving:
             row.addWidget(button)
         self._to_the_ends = moving[0], moving[-1]
@@ -143,13 +135,15 @@ class StepBar(QWidget):
         row.addWidget(self.total)
         row.addWidget(self.stretch)
         row.addSpacing(12)
-        row.addWidget(self._button(self.step, words=True))
-        row.addWidget(self._button(self.detail, words=True))
+        row.addWidget(ActionButton(self.step, style=_WORDS))
+        row.addWidget(ActionButton(self.detail, style=_WORDS))
         row.addSpacing(8)
         row.addWidget(self.speed)
         row.addSpacing(4)
-        row.addWidget(self._button(self.ask, words=True))
-        self.after_wrong = [self._button(action, words=True) for action in (self.try_again, self.show_answer)]
+        row.addWidget(ActionButton(self.ask, style=_WORDS))
+        self.after_wrong = [
+            ActionButton(action, style=_WORDS) for action in (self.try_again, self.show_answer)
+        ]
         for button in self.after_wrong:
             row.addWidget(button)
 

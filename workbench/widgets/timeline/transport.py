@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QAction, QResizeEvent
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QToolButton, QWidget
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QWidget
 
 from workbench.document.motion.model import MAX_FRAMES
 from workbench.language import _
@@ -18,6 +18,7 @@ from workbench.widgets.look.type_faces import keep_code_font
 
 HEIGHT = 44
 _FIELD_PX = 52
+_WORDS = Qt.ToolButtonStyle.ToolButtonTextBesideIcon
 _SPEEDS = (0.25, 0.5, 1.0, 2.0)
 
 
@@ -132,8 +133,8 @@ class Transport(QWidget):
         row.setContentsMargins(8, 0, 8, 0)
         row.setSpacing(2)
         moves = (self.first, self.back, self.play, self.forward, self.last)
-        self._leaving = self._button(self.leave, words=True)
-        self._moving: list[QWidget] = [self._button(action) for action in moves]
+        self._leaving = ActionButton(self.leave, style=_WORDS)
+        self._moving: list[QWidget] = [ActionButton(action) for action in moves]
         for button in (self._leaving, *self._moving):
             row.addWidget(button)
         row.addSpacing(8)
@@ -147,23 +148,14 @@ class Transport(QWidget):
         self._moving += [self.frame, self._of, self.length]
         row.addStretch(1)
         worded = (self.curves, self.auto_key, self.ghosts)
-        self._worded = [self._button(action, words=True) for action in worded]
+        self._worded = [ActionButton(action, style=_WORDS) for action in worded]
         for button in self._worded:
             row.addWidget(button)
             row.addSpacing(4)
         row.addSpacing(8)
-        self._zooming = [self._button(action) for action in (self.zoom_out, self.zoom_in)]
+        self._zooming = [ActionButton(action) for action in (self.zoom_out, self.zoom_in)]
         for button in self._zooming:
             row.addWidget(button)
-
-    def _button(self, action: QAction, words: bool = False) -> QToolButton:
-        button = ActionButton(action)
-        style = Qt.ToolButtonStyle
-        button.setToolButtonStyle(style.ToolButtonTextBesideIcon if words else style.ToolButtonIconOnly)
-        button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        if not words:
-            button.setFixedSize(32, 32)
-        return button
 
     def _narrower(self) -> None:
         self.zoom_wanted.emit(0.8)
@@ -247,14 +239,13 @@ class Transport(QWidget):
             widget.setVisible(plays and form.rates)
         self._a_second.setVisible(plays and form.rates and form.words)
         self.mode.setVisible(plays and form.mode)
-        style = Qt.ToolButtonStyle
         for button in self._worded:
-            button.setToolButtonStyle(
-                style.ToolButtonTextBesideIcon if form.words else style.ToolButtonIconOnly
-            )
+            button.setToolButtonStyle(_WORDS if form.words else Qt.ToolButtonStyle.ToolButtonIconOnly)
         for button in self._zooming:
             button.setVisible(form.zoom)
 
     def _played(self, on: bool) -> None:
+        words = _("Stop the frames") if on else _("Play the frames")
         set_icon(self.play, "pause" if on else "play")
-        self.play.setToolTip(_("Stop the frames") if on else _("Play the frames"))
+        self.play.setText(words)
+        self.play.setToolTip(words)

@@ -10,7 +10,7 @@ from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QApplication, QColorDialog
 from pytestqt.qtbot import QtBot
 
-from tests.panels.by_hand import keep_until_the_end
+from tests.panels.by_hand import begin_number, keep_until_the_end
 from tests.panels.space.by_hand import drag
 from workbench.document.scene.edits import remove_thing, set_thing
 from workbench.document.scene.model import Light, Scene
@@ -128,14 +128,20 @@ def test_numbers_of_lights_and_materials_are_typed(qtbot: QtBot, page: ShadingPa
     assert len(scene_of(page).lights) == 1
 
 
-def test_a_number_that_was_begun_goes_with_the_light_it_was_of(qtbot: QtBot, page: ShadingPage) -> None:
-    lamps, before = page.lamps, scene_of(page)
-    field = lamps.fields["position.y"]
-    field.field.setFocus()
-    field.field.selectAll()
-    qtbot.keyClicks(field.field, "4096")
-    lamps.choose("m1")
-    field.edited.emit(4096.0)  # as where the focus leaves it only then
+@pytest.mark.parametrize("other", ["another light", "a material"])
+def test_a_number_that_was_begun_goes_with_the_light_it_was_of(
+    qtbot: QtBot, page: ShadingPage, other: str
+) -> None:
+    lamps, light = page.lamps, scene_of(page).lights[0].id
+    lamps.add_light()
+    before = scene_of(page)
+    lamps.choose(light)
+    line = lamps.fields["intensity"].field
+    begin_number(qtbot, line, "0.25")
+    lamps.choose(before.lights[1].id if other == "another light" else before.materials[0].id)
+    if line.hasFocus():
+        qtbot.keyClick(line, Qt.Key.Key_Return)
+    settle(qtbot, page)
     assert scene_of(page) == before
 
 

@@ -11,7 +11,9 @@ from workbench.rendering.subjects.visibility import SURFACE_METHODS
 
 
 def test_why_this_pixel_tells_what_the_painter_painted_there_and_over_what(qtbot, page, session):
-    session.update_state(subject=Subject("visibility", entry="painter"), pixel=(23, 15))
+    session.update_state(
+        subject=Subject("visibility", entry="painter"), pixel=(23, 15), pixel_of="visibility"
+    )
     recorded(qtbot, session)
     listed = [page.fragments.list.item(k).text() for k in range(page.fragments.list.count())]
     assert listed == [
@@ -29,18 +31,22 @@ def test_why_this_pixel_tells_what_the_painter_painted_there_and_over_what(qtbot
 def test_why_this_pixel_tells_of_each_method_the_surface_that_it_shows(qtbot, page, session):
     shown_by = {"scan_line_surfaces": 0, "area_subdivision": 1, "ray_casting": 1}  # the first errs here
     for method, surface in shown_by.items():
-        session.update_state(subject=Subject("visibility", entry=method), pixel=(28, 15))
+        session.update_state(
+            subject=Subject("visibility", entry=method), pixel=(28, 15), pixel_of="visibility"
+        )
         recorded(qtbot, session)
         assert page.fragments.list.count() == 1
         assert f"Triangle {surface}, painted, and remains" in page.fragments.list.item(0).text()
-    session.update_state(pixel=(0, 0))
+    session.update_state(pixel=(0, 0), pixel_of="visibility")
     recorded(qtbot, session)
     assert page.fragments.list.count() == 0
     assert "No surface was painted there" in page.fragments.caption.text()
 
 
 def test_asked_first_a_pixel_tells_only_of_steps_that_were_seen(qtbot, page, session):
-    session.update_state(subject=Subject("visibility", entry="painter"), ask_first=True, pixel=(23, 15))
+    session.update_state(
+        subject=Subject("visibility", entry="painter"), ask_first=True, pixel=(23, 15), pixel_of="visibility"
+    )
     recorded(qtbot, session)
     assert page.fragments.list.count() == 0
 
@@ -70,7 +76,7 @@ def test_while_the_run_is_still_another_nothing_of_it_is_told(qtbot, page, sessi
     line = example("line").document.sheets[0]
     scene = session.sheet
     session.apply(lambda document: replace(document, sheets=(replace(scene, figures=line.figures),)), "Both")
-    session.update_state(subject=before, pixel=(23, 15))
+    session.update_state(subject=before, pixel=(23, 15), pixel_of="visibility")
     recorded(qtbot, session)
     session.run.go_to_number(session.run.total_steps)
     session.run.hold()

@@ -102,8 +102,8 @@ def verdict(phosphor: Phosphor, refresh_hz: float, cd_m2: float) -> str:
 
 def doubt(phosphor: Phosphor) -> str:
     """What is uncertain of all this."""
+    of_the_eye = _("The rate above which the eye sees no flicker is uncertain by about 10 Hz.")
     if not phosphor.uncertain_fields:
-        return _("Uncertain by about 10 Hz: the rate from which an eye sees no flicker.")
-    return _(
-        "Uncertain by about 10 Hz: the rate from which an eye sees no flicker; of {name}, the {fields}."
-    ).format(name=phosphor.name, fields=doubts(phosphor))
+        return of_the_eye
+    own = _("Also uncertain for {name}: {fields}.").format(name=phosphor.name, fields=doubts(phosphor))
+    return f"{of_the_eye} {own}"

@@ -3,7 +3,7 @@
 import math
 
 from msgspec.structs import replace
-from PySide6.QtCore import QSize, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSlider, QToolButton, QWidget
 
@@ -76,9 +76,7 @@ class RasterBar(QWidget):
         return box
 
     def _button(self, action: QAction) -> None:
-        button = ActionButton(action)
-        button.setIconSize(QSize(16, 16))
-        button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        button = ActionButton(action, style=Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         self._buttons.append(button)
         self._flow.addWidget(button)
 

@@ -2,9 +2,9 @@
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QEvent, QModelIndex, QObject, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QModelIndex, QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QKeySequence
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QTableView, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QTableView, QVBoxLayout, QWidget
 
 from workbench.language import _
 from workbench.panels.display.vector.list_model import ListModel
@@ -59,7 +59,7 @@ class ListTable(QWidget):
             ("earlier", _("Draw the stroke earlier"), "arrow-up", "Alt+Up"),
             ("later", _("Draw the stroke later"), "arrow-down", "Alt+Down"),
         ):
-            bar.addWidget(self._button(self._action(name, text, picture, key)))
+            bar.addWidget(ActionButton(self._action(name, text, picture, key)))
         bar.addStretch(1)
         self.copy_action = QAction(_("Copy the list"), self)
         self.copy_action.triggered.connect(self.copy)
@@ -85,13 +85,6 @@ class ListTable(QWidget):
         self.view.addAction(action)
         self.changes.append(action)
         return action
-
-    @staticmethod
-    def _button(action: QAction) -> QToolButton:
-        button = ActionButton(action)
-        button.setIconSize(QSize(16, 16))
-        button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        return button
 
     @property
     def address(self) -> int:

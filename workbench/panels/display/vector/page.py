@@ -28,7 +28,7 @@ from workbench.panels.display.vector.run import VectorRun, vector_run
 from workbench.panels.display.vector.storage_bar import StorageBar
 from workbench.panels.panel import DockPart, KeysWhileSeen, Said
 from workbench.panels.shared.tube_feed import setup_of
-from workbench.panels.stage.empty import EmptyState
+from workbench.panels.stage.invitation import Invitation
 from workbench.panels.stage.plain_page import PlainPage
 from workbench.rendering.subjects.random_scan import KIND, MOST_LINES, runs_a_list
 from workbench.session.session import Session
@@ -83,7 +83,7 @@ class VectorPage(PlainPage, QWidget):
         self.sums = QLabel()
         self.note = QLabel()
         self._lay_out()
-        self.nothing = EmptyState(
+        self.nothing = Invitation(
             self.table, _("This sheet draws no strokes, so the display list is empty."), self._show_example
         )
         self._actions = self._made_actions()

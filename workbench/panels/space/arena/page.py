@@ -24,7 +24,7 @@ from workbench.panels.space.arena.telling import describe, picture_of, sentence_
 from workbench.panels.space.arena.tile import Pixels, TileState
 from workbench.panels.space.arena.tile_grid import TileGrid
 from workbench.panels.space.arena.work import ArenaJob, ArenaWorker, Preparing, Told, Twice
-from workbench.panels.stage.empty import EmptyState
+from workbench.panels.stage.invitation import Invitation
 from workbench.panels.stage.plain_page import PlainPage
 from workbench.rendering.scene.arena import MethodRun, methods_for
 from workbench.rendering.scene.growth import Growth
@@ -81,7 +81,7 @@ class ArenaPage(PlainPage, QWidget):
         column.addWidget(self.bar)
         column.addWidget(self.grid, 1)
         column.addWidget(self.sentence)
-        self.empty = EmptyState(
+        self.empty = Invitation(
             self.grid,
             _("This sheet has no scene."),
             partial(session.open_example, self.example),
@@ -298,7 +298,7 @@ class ArenaPage(PlainPage, QWidget):
         """The sentence, how far the work is, and what the button does."""
         job, measures, busy = self._job, self.measures, self.worker.busy
         self.grid.choose(self.chosen)
-        self.grid.keep(self.session.state.pixel)
+        self.grid.keep(self.session.state.asked(SLUG))
         self.growth.show_growth(measures.growth, self.chosen)
         self.bar.show_busy(busy)
         if job is None:
@@ -350,7 +350,7 @@ class ArenaPage(PlainPage, QWidget):
             self._ask_about(self.grid.pointed_cell)
 
     def _ask_about(self, cell: tuple[int, int]) -> None:
-        self.session.update_state(pixel=cell)
+        self.session.update_state(pixel=cell, pixel_of=SLUG)
         self.session.why_asked.emit()
 
     def step_method(self, method: str) -> None:
@@ -362,7 +362,8 @@ class ArenaPage(PlainPage, QWidget):
         wrong = [] if run is None else np.argwhere(run.different).tolist()
         session.visit(STEPPED_ON, coarse)
         pixel = (wrong[0][1], wrong[0][0]) if wrong else None
-        session.update_state(subject=replace(coarse, entry=method), step=0, pixel=pixel)
+        subject = replace(coarse, entry=method)
+        session.update_state(subject=subject, step=0, pixel=pixel, pixel_of=STEPPED_ON)
 
     def _give_columns(self, columns: int) -> None:
         subject = self.session.state.subject

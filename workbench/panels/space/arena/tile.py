@@ -22,7 +22,7 @@ from PySide6.QtWidgets import QToolButton, QWidget
 from workbench.algorithms import catalogue
 from workbench.language import _, ngettext
 from workbench.rendering.scene.arena import TRUTH, MethodRun, space_of
-from workbench.rendering.scene.counted import counted_texts, kept_texts
+from workbench.rendering.scene.counted import counted_forms, kept_texts
 from workbench.rendering.scene.growth import Growth
 from workbench.rendering.scene.spaces import NOT_YET, title_of
 from workbench.widgets.canvas.overlay import Cell
@@ -35,7 +35,10 @@ HEAD_PX, LINE_PX, AIR_PX, LINES = 24, 15, 8, 3
 LEAST_PX = QSize(150, 150)
 _ICON_PX, _BUTTON_PX = 16, 18
 _WHOLE = 0.85  # a pixel is made of whole ones of the screen where the picture does not become much smaller
+_MANY = 10_000
 Pixels = NDArray[np.uint32]
+Forms = tuple[str, ...]
+"""One text in fewer and fewer words."""
 
 
 class TileState(NamedTuple):
@@ -104,16 +107,23 @@ class MethodTile(QWidget):
 
     def values(self) -> tuple[str, ...]:
         """What is known of the run: tests, time, divisions, what is kept, how many pixels differ."""
+        return tuple(forms[0] for forms in self._told())
+
+    def _told(self) -> tuple[Forms, ...]:
         run, growth = self.state.run, self.state.growth
         if run is None:
             return ()
-        divided, kept = counted_texts(run), kept_texts(run)
+        divided, kept = counted_forms(run), kept_texts(run)
+        differing = (
+            ngettext("{n:,} px differs", "{n:,} px differ", self.wrong),
+            ngettext("{n:,} differs", "{n:,} differ", self.wrong),
+        )
         return (
-            ngettext("{n:,} test", "{n:,} tests", run.tests).format(n=run.tests),
-            NOT_YET if growth is None else seconds_text(growth.at_ten, growth.measured),
-            divided[-1] if divided else "",
-            _("keeps {what}").format(what=kept[0] if kept else _("nothing")),
-            _("{n:,} px differ").format(n=self.wrong),
+            forms_of_tests(run.tests),
+            (NOT_YET,) if growth is None else forms_of_time(growth),
+            divided[-1] if divided else ("",),
+            (_("keeps {what}").format(what=kept[0] if kept else _("nothing")),),
+            tuple(form.format(n=self.wrong) for form in differing),
         )
 
     # Painting
@@ -227,29 +237,29 @@ class MethodTile(QWidget):
         return QRectF(left, top, (x_high - x_low + 1) * wide, (y_high - y_low + 1) * high)
 
     def _paint_lines(self, painter: QPainter) -> None:
-        now, values = tokens(), self.values()
+        now, told = tokens(), self._told()
         font = self._caption()
         painter.setFont(font)
-        painter.setPen(colour(now.text if values else now.muted))
+        painter.setPen(colour(now.text if told else now.muted))
         left, right = (
             Qt.AlignmentFlag.AlignVCenter | side
             for side in (Qt.AlignmentFlag.AlignLeft, Qt.AlignmentFlag.AlignRight)
         )
-        if not values:
+        if not told:
             painter.drawText(self._line(0), left, _("not run yet"))
             return
-        tests, time, divided, kept, differ = values
-        tests = beside(tests, time, painter.fontMetrics(), self._line(0).width())
-        for line, side, value in ((0, left, tests), (0, right, time), (1, left, kept)):
+        tests, time, divided, kept, differ = told
+        above = together(tests, time, painter.fontMetrics(), self._line(0).width())
+        for line, side, value in ((0, left, above[0]), (0, right, above[1]), (1, left, kept[0])):
             painter.drawText(self._line(line), side, value)
         font.setBold(bool(self.wrong))
         painter.setFont(font)
         painter.setPen(colour(now.error if self.wrong else now.text))
-        differ, divided = together(differ, divided, painter.fontMetrics(), self._line(2).width())
-        painter.drawText(self._line(2), left, differ)
+        below = together(differ, divided, painter.fontMetrics(), self._line(2).width())
+        painter.drawText(self._line(2), left, below[0])
         painter.setFont(self._caption())
         painter.setPen(colour(now.text))
-        painter.drawText(self._line(2), right, divided)
+        painter.drawText(self._line(2), right, below[1])
 
     def _line(self, number: int) -> QRectF:
         top = self.height() - LINE_PX * LINES - AIR_PX + number * LINE_PX
@@ -317,22 +327,30 @@ class MethodTile(QWidget):
         self.update()
 
 
-def beside(count: str, other: str, metrics: QFontMetrics, room_px: float) -> str:
-    """How much of a count and its word has room on a line with another text: all, or the number alone."""
-    left = room_px - metrics.horizontalAdvance(other) - AIR_PX / 2
-    return count if metrics.horizontalAdvance(count) <= left else count.partition(" ")[0]
-
-
-def together(differ: str, divided: str, metrics: QFontMetrics, room_px: float) -> tuple[str, str]:
-    """How many pixels differ, and how much was divided, in words that have room on one line: the squares,
-    cells or boxes are left out first, then that it is pixels that differ.
+def together(left: Forms, right: Forms, metrics: QFontMetrics, room_px: float) -> tuple[str, str]:
+    """What is said at the left and the right of one line: the right text becomes shorter first, then the left
+    one; where even that has no room, the right text is left out, for a number without a noun says nothing.
     """
-    words = divided.split(" ")
-    short = f"{words[0]} {words[-1]}"
-    for pair in ((differ, divided), (differ, short), (differ.replace(" px", ""), short)):
-        if metrics.horizontalAdvance("".join(pair)) + AIR_PX / 2 <= room_px:
-            return pair
-    return differ, words[0]
+    pairs = [(left[0], short) for short in right]
+    pairs += [(short, right[-1]) for short in left[1:]]
+    pairs += [(short, "") for short in left]
+    fitting = (pair for pair in pairs if metrics.horizontalAdvance("".join(pair)) + AIR_PX / 2 <= room_px)
+    return next(fitting, pairs[-1])
+
+
+def forms_of_tests(n: int) -> Forms:
+    """How many tests there were, to the last one and in round numbers."""
+    whole = ngettext("{n:,} test", "{n:,} tests", n).format(n=n)
+    if n < _MANY:
+        return (whole,)
+    number = f"{n / 1e6:,.1f} M" if n >= 1e6 else f"{n / 1e3:,.0f} k"
+    return whole, _("{number} tests").format(number=number)
+
+
+def forms_of_time(growth: Growth) -> Forms:
+    """How long it takes at ten times the size; where that is foretold it is said to be about so long."""
+    text = seconds_text(growth.at_ten, growth.measured)
+    return (text,) if growth.measured else (text, f"\N{ALMOST EQUAL TO} {seconds_text(growth.at_ten)}")
 
 
 def seconds_text(seconds: float, measured: bool = True) -> str:

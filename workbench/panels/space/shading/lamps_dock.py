@@ -142,6 +142,7 @@ class LampsDock(QScrollArea):
             value: Any = thing
             for part in name.split("."):
                 value = getattr(value, part)
+            field.belong_to(self.choice.currentData())
             field.set_value(round(float(value), 6))
         if isinstance(thing, Light):
             self.distant.setChecked(thing.distant)
@@ -156,6 +157,7 @@ class LampsDock(QScrollArea):
     def _rebuild(self, thing: Light | Material | None) -> None:
         for field in self.fields.values():
             self._grid.removeWidget(field)
+            field.blockSignals(True)  # what was typed is for nothing else
             field.deleteLater()
         self.fields = {}
         if thing is None:
@@ -176,17 +178,15 @@ class LampsDock(QScrollArea):
             step=_STEPS.get(name, 0.05 if number.high == 1.0 else 0.1),
             meaning=number.label,
         )
-        field.edited.connect(partial(self._set, self._kind, name, ""))
-        field.scrubbed.connect(partial(self._set, self._kind, name, f"light {name}"))
+        field.edited.connect(partial(self._set, name, ""))
+        field.scrubbed.connect(partial(self._set, name, f"light {name}"))
         field.scrub_ended.connect(self._session.end_merge)
         return field
 
     # Changing
 
-    def _set(self, kind: type | None, name: str, merge: str, value: float) -> None:
+    def _set(self, name: str, merge: str, value: float) -> None:
         thing = self.chosen
-        if type(thing) is not kind:  # the field was left because what it is of is no longer chosen
-            return
         if isinstance(thing, Light) and name.startswith("position."):
             self._change({"position": replace(thing.position, **{name[-1]: value})}, merge, self.fields[name])
         else:

@@ -14,7 +14,7 @@ from workbench.algorithms import catalogue
 from workbench.document.scene.model import Scene
 from workbench.document.subjects import Subject
 from workbench.exchange.diagrams import Derivation
-from workbench.language import _
+from workbench.language import _, ngettext
 from workbench.panels.panel import Cell, DockPart, KeysWhileSeen, Said
 from workbench.panels.space.looking import Looking
 from workbench.panels.space.shading.bar import ShadingBar
@@ -22,7 +22,7 @@ from workbench.panels.space.shading.derivation import derivation
 from workbench.panels.space.shading.lamps_dock import LampsDock
 from workbench.panels.space.shading.lit_view import LitView
 from workbench.panels.space.shading.run import EndedLight, greys, light_so_far, rows_so_far
-from workbench.panels.stage.empty import EmptyState
+from workbench.panels.stage.invitation import Invitation
 from workbench.panels.stage.picture import packed
 from workbench.panels.stage.plain_page import PlainPage
 from workbench.panels.stage.pointed import Pointed
@@ -60,7 +60,7 @@ class ShadingPage(PlainPage, QWidget):
         self._light = np.zeros((0, 0))
         self.ended = EndedLight(self)
         self.canvas = PixelCanvas()
-        self.nothing = EmptyState(self.canvas, _("This sheet has no scene."), self._show_example)
+        self.nothing = Invitation(self.canvas, _("This sheet has no scene."), self._show_example)
         self.view = LitView("")
         self.four = [LitView(_(catalogue.get(slug).title)) for slug in LIT_SHADINGS]
         for view in (self.view, *self.four):
@@ -168,7 +168,7 @@ class ShadingPage(PlainPage, QWidget):
     def _lit_cell(self) -> Cell | None:
         """The chosen pixel where that is lit by now, else the one that was lit last."""
         lit = {(int(x), int(y)): None for x, y, _light in rows_so_far(self.session).tolist()}
-        chosen = self.session.state.pixel
+        chosen = self.session.state.asked(PAGE)
         return chosen if chosen in lit else next(reversed(lit), None)
 
     def point_at(self, cell: Cell | None) -> None:
@@ -234,20 +234,21 @@ class ShadingPage(PlainPage, QWidget):
             self.canvas.set_overlay(Overlay())
             return
         self._light, ended = light_so_far(session, call), self.ended.of(call)
-        said = _("{now:,} pixels lit").format(now=int(np.isfinite(self._light).sum()))
+        now = int(np.isfinite(self._light).sum())
+        said = ngettext("{now:,} pixel lit", "{now:,} pixels lit", now).format(now=now)
         if ended is None:  # nothing is known of what is still to come
             ended = np.full_like(self._light, np.nan)
         else:
-            said = _("{now:,} of {whole:,} pixels lit").format(
-                now=int(np.isfinite(self._light).sum()), whole=int(np.isfinite(ended).sum())
-            )
+            whole = int(np.isfinite(ended).sum())
+            said = ngettext("{now:,} of {whole:,} pixel lit", "{now:,} of {whole:,} pixels lit", whole)
+            said = said.format(now=now, whole=whole)
         self.bar.progress.setText(said)
         self.canvas.set_picture(greys(self._light, ended, tokens()))
         marks: tuple[Drawn, ...] = ()
         run = session.run
         if run.subject is not None and run.entry is not None:
             marks = tuple(marks_on_device(session.sheet, run.subject, run.entry.frame, run.marks()))
-        self.canvas.set_overlay(Overlay(drawn=marks, snap=session.state.pixel))
+        self.canvas.set_overlay(Overlay(drawn=marks, snap=session.state.asked(PAGE)))
 
     def describe(self, x: int, y: int) -> str:
         """A pixel, and its light."""
@@ -260,7 +261,7 @@ class ShadingPage(PlainPage, QWidget):
 
     def _clicked(self, x: int, y: int) -> None:
         """Go to the step that lights the pixel."""
-        self.session.update_state(pixel=(x, y))
+        self.session.update_state(pixel=(x, y), pixel_of=PAGE)
         if not self.session.run.waiting and not self.session.run.run_to_pixel(x, y):
             self.hover_text.emit(_("Nothing is lit at ({x}, {y}).").format(x=x, y=y))
 

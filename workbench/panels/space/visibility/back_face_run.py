@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbench.document.model import Sheet
-from workbench.language import _
+from workbench.language import ngettext
 from workbench.panels.space.visibility.depth_run import DepthRun
 from workbench.panels.space.visibility.picture import paint_surfaces, surface_colours
 from workbench.panels.stage.picture import Pixels, packed
@@ -39,7 +39,12 @@ class BackFaceRun(NamedTuple):
     def legend(self) -> str:
         """How many faces are told."""
         seen, back = self.counts
-        return _("{seen} faces seen, {back} turned away (dotted).").format(seen=seen, back=back)
+        said = ngettext(
+            "{seen} face seen, {back} turned away (dotted).",
+            "{seen} faces seen, {back} turned away (dotted).",
+            seen,
+        )
+        return said.format(seen=seen, back=back)
 
     def picture(self, now: Tokens) -> Pixels:
         """The nearest of the faces that are seen, and pale what is not told yet."""

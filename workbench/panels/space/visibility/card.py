@@ -5,7 +5,7 @@ from html import escape
 
 from msgspec.structs import replace
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QButtonGroup, QCheckBox, QGridLayout, QLabel, QToolButton, QWidget
+from PySide6.QtWidgets import QButtonGroup, QCheckBox, QGridLayout, QLabel, QToolButton
 
 from workbench.algorithms import catalogue
 from workbench.document.errors import DocumentError
@@ -33,6 +33,7 @@ from workbench.rendering.subjects.visibility import (
     size_of,
 )
 from workbench.session.session import Session
+from workbench.widgets.canvas.surface import CanvasSurface
 from workbench.widgets.fields.choice_box import ChoiceBox
 from workbench.widgets.fields.number_field import NumberField
 from workbench.widgets.look.tips import tell_choice
@@ -49,7 +50,7 @@ class VisibilityCard(FoldingCard):
 
     shown_changed = Signal()
 
-    def __init__(self, session: Session, canvas: QWidget) -> None:
+    def __init__(self, session: Session, canvas: CanvasSurface) -> None:
         super().__init__(canvas, WIDTH_PX)
         self._session = session
         self.shown: Shown = "colour"
@@ -161,6 +162,7 @@ class VisibilityCard(FoldingCard):
         self.bits.setVisible(told is None)
         self.backwards.setChecked(backwards(subject))
         for name, field in self.planes.items():
+            field.belong_to(session.sheet.id)
             field.set_value(round(getattr(scene.camera, name), 6))
         if told is not None:
             self.legend.setText(told.legend)
@@ -181,12 +183,13 @@ class VisibilityCard(FoldingCard):
             lines = [_("Light is near, dark is far.")]
         elif run.reached:
             counts = run.so_far.tests(run.size) if self.shown == "tests" else run.so_far.writes(run.size)
+            n, most = int(counts.sum()), int(counts.max())
             text = (
-                _("{n} comparisons, at most {most} at a pixel.")
+                ngettext("{n} comparison", "{n} comparisons", n)
                 if self.shown == "tests"
-                else _("{n} writes, at most {most} at a pixel.")
+                else ngettext("{n} write", "{n} writes", n)
             )
-            lines = [text.format(n=int(counts.sum()), most=int(counts.max()))]
+            lines = [_("{count}, at most {most} at a pixel.").format(count=text.format(n=n), most=most)]
         if fighting:
             said = ngettext(
                 "{n} pixel shows the wrong surface.",

@@ -1,10 +1,11 @@
 """Why this pixel? Every fragment that came to it, or all that was painted there; a click goes to the step."""
 
-from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtGui import QKeyEvent, QShowEvent
-from PySide6.QtWidgets import QLabel, QListWidget, QListWidgetItem, QVBoxLayout, QWidget
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QShowEvent
+from PySide6.QtWidgets import QListWidgetItem, QWidget
 
 from workbench.language import _, ngettext
+from workbench.panels.shared.pixel_list import PixelList, line
 from workbench.panels.space.visibility.depth_run import DepthRun, method_run
 from workbench.panels.space.visibility.pixel_steps import PixelStep, pixel_steps
 from workbench.rendering.scene.back_face_calls import BACK_FACES
@@ -12,45 +13,24 @@ from workbench.rendering.scene.fragments import NOTHING
 from workbench.rendering.subjects.visibility import is_of_the_scene, method_of
 from workbench.session.session import Session
 from workbench.widgets.look.icons import icon
-from workbench.widgets.look.in_sight import bring_forward
-from workbench.widgets.look.plain_keys import is_plain
 
 
-class FragmentList(QWidget):
-    """The fragments of ``session.state.pixel``; with *Ask first* those that came so far. ``seen``: it is."""
+class FragmentList(PixelList):
+    """The fragments of the pixel that is asked about; with *Ask first* those that came so far.
+
+    It is asked about in the workspace that is stepped in. ``seen``: this is.
+    """
 
     seen = Signal()
 
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self._session = session
+        super().__init__(session, _("Fragments of the pixel"), parent)
         self._shown: tuple[object, ...] = ()
-        session.why_asked.connect(self._come_forward)
-        self.caption = QLabel()
-        self.caption.setWordWrap(True)
-        self.caption.setContentsMargins(12, 8, 12, 4)
-        self.list = QListWidget()
-        self.list.setWordWrap(True)
         self.list.setMinimumHeight(1)  # where there is little room the caption goes first
-        self.list.setIconSize(QSize(16, 16))
-        self.list.setAccessibleName(_("Fragments of the pixel"))
-        self.list.setToolTip(_("Click a line to go to that step"))
-        self.list.setFrameShape(QListWidget.Shape.NoFrame)
-        self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.list.itemClicked.connect(self._go)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(0)
-        column.addWidget(self.caption)
-        column.addWidget(self.list, 1)
-        self.setAutoFillBackground(True)
-
-    def _come_forward(self) -> None:
-        bring_forward(self)
 
     def refresh(self, run: DepthRun | None, keeps_depths: bool = True) -> None:
         """Follow the run: the fragments, or what was painted where a method keeps no depths."""
-        pixel = self._session.state.pixel
+        pixel = self._session.state.asked(self._session.state.workspace)
         if run is None or pixel is None:
             self._shown = ()
             self.list.clear()
@@ -128,21 +108,14 @@ class FragmentList(QWidget):
         rows = [self.list.item(k).data(Qt.ItemDataRole.UserRole) for k in range(self.list.count())]
         self.list.setCurrentRow(rows.index(step) if step in rows else -1)
 
-    def _go(self, item: QListWidgetItem) -> None:
+    def go(self, item: QListWidgetItem) -> None:
+        """Let the stepper show the step of a line."""
         self._session.update_state(step=item.data(Qt.ItemDataRole.UserRole), detail=False)
 
     def showEvent(self, event: QShowEvent) -> None:
         """What happened meanwhile is to be listed."""
         super().showEvent(event)
         self.seen.emit()
-
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Enter goes to the step that is marked."""
-        item = self.list.currentItem()
-        if is_plain(event) and event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter) and item is not None:
-            self._go(item)
-        else:
-            super().keyPressEvent(event)
 
 
 def _nothing(run: DepthRun) -> str:
@@ -166,10 +139,4 @@ def _painted_item(run: DepthRun, step: PixelStep, stands: bool) -> QListWidgetIt
 
 
 def _list_item(step: int, text: str, right: bool, stands: bool) -> QListWidgetItem:
-    """A line that leads to a step; what stands is half bold."""
-    item = QListWidgetItem(icon("check" if right else "x", "text" if right else "warn"), text)
-    font = item.font()
-    font.setWeight(font.Weight.DemiBold if stands else font.Weight.Normal)
-    item.setFont(font)
-    item.setData(Qt.ItemDataRole.UserRole, step)
-    return item
+    return line(icon("check" if right else "x", "text" if right else "warn"), text, step, stands)

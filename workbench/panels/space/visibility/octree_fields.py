@@ -46,6 +46,7 @@ class OctreeFields(QWidget):
     def refresh(self, sheet: Sheet, subject: Subject) -> None:
         """Show what is set; nothing where no octree is stepped."""
         method, cutting = method_of(sheet, subject), cutting_of(subject)
+        self.share.belong_to((sheet.id, subject.ids))
         self.setVisible(method in OCTREES)
         depths = [(n, _("Depth {n}").format(n=n)) for n in range(1, MOST_DEPTH + 1)]
         fill_choices(self.levels, depths, cutting.depth)

@@ -31,7 +31,7 @@ from workbench.panels.space.visibility.picture import (
 )
 from workbench.panels.space.visibility.solid_run import SolidRun, solid_run
 from workbench.panels.space.visibility.surface_run import SurfaceRun, surface_run
-from workbench.panels.stage.empty import EmptyState
+from workbench.panels.stage.invitation import Invitation
 from workbench.panels.stage.plain_page import PlainPage
 from workbench.rendering.scene.back_face_calls import BACK_FACES
 from workbench.rendering.scene.depth_measures import differing
@@ -85,8 +85,8 @@ class VisibilityPage(PlainPage, QWidget):
         self.card = VisibilityCard(session, self.canvas)
         self.card.move(self._card_left, CARD_GAP_PX)
         self._leave_room(False)
-        self.nothing = EmptyState(self.canvas, _("This sheet has no scene."), self._show_example)
-        self.bare = EmptyState(
+        self.nothing = Invitation(self.canvas, _("This sheet has no scene."), self._show_example)
+        self.bare = Invitation(
             self.canvas,
             _("No surface covers a pixel."),
             self.frame_scene,
@@ -187,6 +187,11 @@ class VisibilityPage(PlainPage, QWidget):
 
     # What is shown
 
+    @property
+    def _asked(self) -> Cell | None:
+        """The pixel that is asked about, here or on the page Hidden surfaces."""
+        return self.session.state.asked(self.session.state.workspace)
+
     def refresh_soon(self, *_arguments: object) -> None:
         """Show the session as it is when all that happens now has happened; unseen, when it is seen.
 
@@ -200,7 +205,7 @@ class VisibilityPage(PlainPage, QWidget):
         """Show the session as it is now."""
         self._waiting = False
         if not self.isVisible():
-            asked = is_of_the_scene(self.session.subject) and self.session.state.pixel is not None
+            asked = is_of_the_scene(self.session.subject) and self._asked is not None
             self.fragments.refresh(depth_run(self.session) if asked else None, self._keeps_depths)
             return
         self.zoom_text.emit(f"{self.canvas.zoom_percent:.0f} %")
@@ -218,7 +223,7 @@ class VisibilityPage(PlainPage, QWidget):
             self._show_empty()
         elif told is not None:
             self.canvas.set_picture(told.picture(tokens()))
-            self.canvas.set_overlay(Overlay(drawn=told.drawn(), snap=self.session.state.pixel))
+            self.canvas.set_overlay(Overlay(drawn=told.drawn(), snap=self._asked))
         else:
             now = tokens()
             self.canvas.set_picture(picture(run, self.card.shown, now))
@@ -277,7 +282,7 @@ class VisibilityPage(PlainPage, QWidget):
             return Overlay(drawn=(*marks, *crosses))
         x, y = int(run.fragments.x[number]), int(run.fragments.y[number])
         drawn = (*marks, *crosses, row_frame(run, y), down_to_plot(x, y))
-        return Overlay(drawn=drawn, current=((x, y),), snap=session.state.pixel)
+        return Overlay(drawn=drawn, current=((x, y),), snap=self._asked)
 
     def _wrong_pixels(self, run: DepthRun) -> list[Cell]:
         """Pixels that show another surface now than they would if depths were not rounded."""
@@ -327,7 +332,7 @@ class VisibilityPage(PlainPage, QWidget):
         """Go to the next fragment of the pixel, and list all that came to it."""
         if self._paints_no_pixels:
             return
-        self.session.update_state(pixel=(x, y))
+        self.session.update_state(pixel=(x, y), pixel_of=self.session.state.workspace)
         if not self.session.run.waiting and not self.session.run.run_to_pixel(x, y):
             said = _("No fragment reaches ({x}, {y}).")
             if not self._keeps_depths:
@@ -342,7 +347,7 @@ class VisibilityPage(PlainPage, QWidget):
         elif cell is None:
             self.hover_text.emit(_("Point at a pixel first, then ask why it is as it is."))
         else:
-            self.session.update_state(pixel=cell)
+            self.session.update_state(pixel=cell, pixel_of=self.session.state.workspace)
             self.session.why_asked.emit()
 
     def frame_scene(self) -> None:

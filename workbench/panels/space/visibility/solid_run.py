@@ -7,7 +7,7 @@ import numpy as np
 from workbench.algorithms.solids.implicit import EMPTY, FULL, PARTIAL
 from workbench.document.model import Sheet
 from workbench.geometry.meshes import Array
-from workbench.language import _
+from workbench.language import _, ngettext
 from workbench.panels.space.visibility.depth_run import DepthRun, method_run
 from workbench.panels.stage.picture import Pixels, packed
 from workbench.rendering.scene.render import placed
@@ -47,9 +47,11 @@ class SolidRun(NamedTuple):
         cubes = self.cells[:, 3] ** 3
         least = float(cubes[self.cells[:, 4] == FULL].sum())
         most = float(cubes[self.cells[:, 4] != EMPTY].sum())
-        said = _("{full:,} cells full, {partial:,} in part (pale), {empty:,} empty.").format(
-            full=full, partial=partial, empty=empty
-        )
+        said = ngettext(
+            "{full:,} cell full, {partial:,} in part (pale), {empty:,} empty.",
+            "{full:,} cells full, {partial:,} in part (pale), {empty:,} empty.",
+            full,
+        ).format(full=full, partial=partial, empty=empty)
         if not self.done:
             return said
         return said + "<br>" + _("Volume from {least:.4g} to {most:.4g}.").format(least=least, most=most)

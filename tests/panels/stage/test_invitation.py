@@ -11,7 +11,7 @@ from workbench.panels.clip.panel import ClipPanel
 from workbench.panels.curves.panel import CurvesPanel
 from workbench.panels.draw.panel import DrawPanel
 from workbench.panels.fill.panel import FillPanel
-from workbench.panels.stage.empty import EmptyState
+from workbench.panels.stage.invitation import Invitation
 from workbench.panels.transform.panel import TransformPanel
 from workbench.session.session import Session
 
@@ -23,17 +23,17 @@ def test_the_sentence_fits_its_canvas(qtbot: QtBot, size: tuple[int, int]) -> No
     canvas = QWidget()
     qtbot.addWidget(canvas)
     canvas.resize(*size)
-    state = EmptyState(canvas, SENTENCE, lambda: None)
+    invitation = Invitation(canvas, SENTENCE, lambda: None)
     canvas.show()
-    state.setVisible(True)
-    assert canvas.rect().contains(state.geometry())
-    assert state.sentence.height() >= state.sentence.heightForWidth(state.sentence.width())
-    assert state.sentence.width() <= size[0]
+    invitation.setVisible(True)
+    assert canvas.rect().contains(invitation.geometry())
+    assert invitation.sentence.height() >= invitation.sentence.heightForWidth(invitation.sentence.width())
+    assert invitation.sentence.width() <= size[0]
 
 
 DRAWN_BY = [
     (FillPanel, "polygon", "corners of a polygon"),
-    (FillPanel, "seed", "Click where the fill begins"),
+    (FillPanel, "seed", "Draw a boundary, then click inside it"),
     (FillPanel, "brush", "paint freehand"),
     (FillPanel, "select", "Choose a tool on the left"),
     (TransformPanel, "polygon", "Click corners on the canvas"),

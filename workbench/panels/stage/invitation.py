@@ -1,4 +1,4 @@
-"""What an empty sheet says."""
+"""What is said over a canvas on which there is nothing yet."""
 
 from collections.abc import Callable
 
@@ -12,7 +12,7 @@ _UNDER_PX = 40
 """Axes and the names of corners stand there."""
 
 
-class EmptyState(QFrame):
+class Invitation(QFrame):
     """One sentence and one button in the middle of ``canvas``, or, where there is something to see, ``low``;
     the pointer passes through the sentence.
     """
@@ -20,17 +20,15 @@ class EmptyState(QFrame):
     def __init__(
         self,
         canvas: QWidget,
-        invitation: str,
+        sentence: str,
         act: Callable[[], object],
         button: str = "",
         tip: str = "",
     ) -> None:
         super().__init__(canvas)
         self.setObjectName("card")
-        self._invitation = invitation
-        self.lasting = False
-        """Whether the invitation is said whatever tool is taken up."""
-        self.sentence = QLabel(invitation)
+        self._usual = sentence
+        self.sentence = QLabel(sentence)
         self.sentence.setWordWrap(True)
         self.sentence.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self.button = QPushButton(button or _("Show an example"))
@@ -51,9 +49,9 @@ class EmptyState(QFrame):
             self._centre()
         return False
 
-    def follow(self, tool: str) -> None:
-        """Say what a tool says of itself, or the invitation where that is nothing."""
-        said = self._invitation if self.lasting else tool or self._invitation
+    def say(self, sentence: str) -> None:
+        """Say this, or where it is empty the usual sentence."""
+        said = sentence or self._usual
         if said != self.sentence.text():
             self.sentence.setText(said)
             self._centre()
