@@ -7,7 +7,6 @@ from pytestqt.qtbot import QtBot
 
 from tests.shell.keys.focus import settle
 from workbench.shell.window import MainWindow
-from workbench.widgets.look.split import Split
 
 
 def test_a_view_alone_that_is_closed_leaves_no_empty_window(qtbot: QtBot, window: MainWindow) -> None:
@@ -80,21 +79,3 @@ def test_docks_come_back_while_one_of_them_is_dragged(window: MainWindow) -> Non
     QTest.mouseRelease(tube, Qt.MouseButton.LeftButton, pos=title - QPoint(120, 120))
     settle()
     assert tube.isVisible()
-
-
-def test_resetting_puts_lines_between_panes_back(window: MainWindow) -> None:
-    window.resize(1280, 680)
-    window.go("view")
-    settle()
-    area = window.arrangements.area("view")
-    assert area is not None
-    split = next(each for each in area.findChildren(Split) if each.isVisible() and min(each.sizes()) > 100)
-    first, line = split.sizes(), split.handle(1)
-    middle = line.rect().center()
-    QTest.mousePress(line, Qt.MouseButton.LeftButton, pos=middle)
-    QTest.mouseMove(line, middle - QPoint(40, 40))
-    QTest.mouseRelease(line, Qt.MouseButton.LeftButton, pos=middle - QPoint(40, 40))
-    assert split.sizes() != first
-    window.reset_workspace()
-    settle()
-    assert split.sizes() == first
