@@ -9,7 +9,7 @@ from workbench.panels.panel import DockPart
 from workbench.shell.dock_area import DockArea
 from workbench.shell.reading import Reading
 from workbench.shell.settings import Settings
-from workbench.widgets.look.split import Split
+from workbench.widgets.look.split import reset_splits
 
 
 @dataclass
@@ -135,8 +135,7 @@ class Arrangements:
         slug = self.current
         if not slug:
             return
-        for split in self._workspaces[slug].area.findChildren(Split):
-            split.reset()
+        reset_splits(self._workspaces[slug].area)
         self.leave()
         self._settings.forget_arrangement(slug)
         self._renew(self._workspaces[slug])

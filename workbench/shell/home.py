@@ -13,6 +13,7 @@ from workbench.language import _, legible
 from workbench.paths import resource
 from workbench.shell.home_questions import QuestionList
 from workbench.shell.pages import Page, heading, paragraph
+from workbench.widgets.look.layouts import take_widgets
 from workbench.widgets.look.tips import plain_tip
 
 if TYPE_CHECKING:
@@ -154,8 +155,5 @@ class HomePage(Page):
 
 
 def _empty(grid: QGridLayout) -> None:
-    while grid.count():
-        item = grid.takeAt(0)
-        widget = item.widget() if item is not None else None
-        if widget:
-            widget.deleteLater()
+    for widget in take_widgets(grid):
+        widget.deleteLater()

@@ -40,6 +40,7 @@ from workbench.session.session import Session
 from workbench.widgets.canvas.surface import CanvasSurface
 from workbench.widgets.fields.choice_box import ChoiceBox
 from workbench.widgets.fields.number_field import NumberField
+from workbench.widgets.look.layouts import take_widgets
 from workbench.widgets.look.tips import tell_choice
 
 _MOST_POINTS = 6
@@ -219,13 +220,10 @@ class ParameterCard(FoldingCard):
     def _rebuild(
         self, sheet: Sheet, figures: Sequence[AnyFigure], numbers: Sequence[tuple[str, str, str]]
     ) -> None:
-        while self._grid.count():
-            item = self._grid.takeAt(0)
-            widget = item.widget() if item is not None else None
-            if widget is not None:
-                widget.blockSignals(True)  # what was typed of a figure that is gone is for no other
-                widget.hide()
-                widget.deleteLater()
+        for widget in take_widgets(self._grid):
+            widget.blockSignals(True)  # what was typed of a figure that is gone is for no other
+            widget.hide()
+            widget.deleteLater()
         self._fields, self._size = {}, None
         view = sheet.first_view
         pixels = view.window_world == view.viewport_device

@@ -1,10 +1,24 @@
 """Parts side by side, or one above the other, which share their room as they did at first when asked to."""
 
 from collections.abc import Sequence
+from weakref import WeakSet
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QSplitter, QSplitterHandle, QWidget
+from shiboken6 import isValid
+
+_splits: "WeakSet[Split]" = WeakSet()
+
+
+def reset_splits(within: QWidget) -> None:
+    """Let all that are seen ``within`` a widget share their room as at first.
+
+    They are not searched for: what PySide finds below a widget is nobody's any more once that one goes.
+    """
+    for split in list(_splits):
+        if isValid(split) and within.isAncestorOf(split):
+            split.reset()
 
 
 class Split(QSplitter):
@@ -16,6 +30,7 @@ class Split(QSplitter):
         super().__init__(orientation, parent)
         self.setChildrenCollapsible(False)
         self._first: list[int] = []
+        _splits.add(self)
 
     def setSizes(self, sizes: Sequence[int]) -> None:
         """Shares of the room, which ``reset`` brings back."""
