@@ -286,9 +286,9 @@ def test_one_edit_of_many_curves_flattens_one() -> None:
     many = [curve(k, *((k % 50 + j, (7 * k + j * j) % 40) for j in range(5))) for k in range(3000)]
     sheet = replace(document_of("x", 60, 40, []).sheets[0], figures=tuple(many))
     flattened: list[Curve] = []
-    real = rendered._made
+    real = rendered._flattened_together
     counted = mock.Mock(side_effect=lambda keys: flattened.extend(key[1] for key in keys) or real(keys))
-    with mock.patch.object(rendered, "_made", counted):
+    with mock.patch.object(rendered, "_flattened_together", counted):
         pipeline.batches(sheet, sheet.figures)
         assert len(flattened) == 3000
         moved = curve(7, (1.0, 1.0), (30.0, 2.0), (4.0, 33.0))

@@ -53,6 +53,7 @@ def test_menus_of_docks_live_on_when_the_area_they_were_in_is_gone(window: MainW
         settle()
         QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
         # Not searched for below the window: that alone would keep them alive, or end them.
-        (dock,) = (each for each in QApplication.allWidgets() if isinstance(each, ObjectsDock))
+        docks = (each for each in QApplication.allWidgets() if isinstance(each, ObjectsDock))
+        (dock,) = (each for each in docks if each.window() is window)
         dock.add.menu().aboutToShow.emit()
         assert all(isValid(menu) for menu in dock._swept.values())

@@ -307,14 +307,14 @@ class CanvasSurface(QWidget):
 
     def _paint_frame(self) -> None:
         """Picture, marks, rulers, cursor and tag."""
-        scene = self.scene()
+        still = self._overlay.still
+        scene = replace(self.scene(), layers=self._layers if still is None else None)
         area, unit = scene.area, scene.unit
-        still = scene.overlay.still
         if still is None:
             self._kept = None
             self._frame.fill(QColor(scene.tokens.window))
             painter = QPainter(self._frame)
-            paint_scene(painter, self._picture, replace(scene, layers=self._layers))
+            paint_scene(painter, self._picture, scene)
             self._end_layers()
         else:
             painter = QPainter(self._frame)
