@@ -67,6 +67,12 @@ def edited(session: Any) -> str:
     return f"document {document / 1e6:.1f} MB, undo {steps.held / 1e6:.1f} MB in {steps.count()} steps"
 
 
+def arenas() -> float:
+    """Megabytes that the C library has of the system, in use or not."""
+    info = _ALLOCATED() if _ALLOCATED is not None else _Mallinfo()
+    return float(info.arena + info.hblkhd) / 1e6
+
+
 def holdings() -> Holdings:
     """What the process holds now; caches that have a bound are emptied, garbage is collected, and what was
     freed is given back."""
@@ -88,7 +94,7 @@ def holdings() -> Holdings:
     return Holdings(
         (resident - of_files) * os.sysconf("SC_PAGESIZE") / 1e6,
         (info.uordblks + info.hblkhd) / 1e6,
-        (info.arena + info.hblkhd) / 1e6,
+        arenas(),
         sys.getallocatedblocks() // 1000,
         len(gc.get_objects()) // 1000,
         len(QApplication.allWidgets()),

@@ -42,8 +42,9 @@ from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox
 
 from tests.soak.events import KINDS, PAGED, page, workspace
 from tests.soak.hand import Hand
-from tests.soak.holdings import edited, holdings
+from tests.soak.holdings import arenas, edited, holdings
 from workbench.shell import files
+from workbench.shell.settled import has_settled
 from workbench.shell.theme import choose_theme, choose_type
 from workbench.shell.workspaces import workspaces
 
@@ -58,7 +59,9 @@ EXPECTED = (
 )
 _APART = "MALLOC_MMAP_THRESHOLD_"
 _REST_MS, _POPUP_MS = 400, 40
+_LONGEST_REST = 25  # times _REST_MS
 _DEEPEST = 5
+_MUCH_MB = 20.0
 _MORE = 3  # as often is a workspace gone to that events keep to
 
 
@@ -134,6 +137,7 @@ class Monkey(QObject):
         self.megabytes: list[float] = []
         self._done = 0
         self._owes_mark = False
+        self._arenas = arenas()
         self._began = time.thread_time()
 
     def start(self) -> None:
@@ -160,6 +164,9 @@ class Monkey(QObject):
             said = ""
             self.faults.said.append(traceback.format_exc())
         self._keeper.inside = False
+        if (more := arenas() - self._arenas) > _MUCH_MB:  # which may leave holes behind
+            said += f" (the allocator took {more:.0f} MB)"
+        self._arenas = arenas()
         print(said, file=self._log, flush=True)
         self._done += 1
         if self._owes_mark or self._done % MARK == 0:
@@ -208,16 +215,24 @@ class Monkey(QObject):
             QTest.qWait(_REST_MS)
         for each in (*workspaces(), workspaces()[0]):  # each keeps what it showed until it is entered
             self._window.go(each.slug)
-            QTest.qWait(_REST_MS)
+            self._rest()
             self._window.reset_workspace()
+            self._rest()
             if each.slug in PAGED and (panels := self._window.panels(each.slug)):
                 for button in reversed(panels[0].buttons.buttons()):  # as does each page
                     button.click()
-                    QTest.qWait(_REST_MS)
+                    self._rest()
         QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
         held = holdings()
         self.megabytes.append(held.resident)
         print(f"# {self._done} events, {held.resident:.1f} MB; {held}; {weights}", file=self._log, flush=True)
+
+    def _rest(self) -> None:
+        """Wait until all that is seen is of the size that it has now, also on a busy machine."""
+        for _look in range(_LONGEST_REST):
+            QTest.qWait(_REST_MS)
+            if has_settled(self._window):
+                return
 
     def _finish(self) -> None:
         before, after = settled(self.megabytes)
