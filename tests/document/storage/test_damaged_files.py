@@ -197,3 +197,15 @@ def test_the_place_of_any_byte_is_found(value: Any, share: float, indent: int | 
     text = json.dumps(value, indent=indent)
     offset = round(share * len(text))
     assert path_at(text.encode(), offset) == joined(_path_sign_by_sign(text, offset))
+
+
+@pytest.mark.parametrize(
+    ("broken", "said"), [(b"\xff", "not UTF-8 text"), (b"@", "not JSON"), (b"NaN", "give a finite number")]
+)
+@pytest.mark.parametrize("deep", [1, 9])
+def test_names_as_long_as_a_damaged_file_are_cut(broken: bytes, said: str, deep: int) -> None:
+    data = b'{"document": ' + (b'{"%s": ' % (b"rt_device\\t" * 60)) * deep + broken
+    with pytest.raises(DocumentError, match=said) as refusal:
+        decode(data)
+    assert len(str(refusal.value)) < 400
+    assert str(refusal.value).endswith(".")

@@ -270,13 +270,18 @@ def _malformed(data: bytes, message: str) -> DocumentError:
         rb"-?(NaN|Infinity)", data[at : at + _LONGEST_CONSTANT]
     )
     if constant:
-        field = path_at(data, at).removeprefix("document.")
+        field = _field_at(data, at)
         return refuse(field, _("is {value}; give a finite number").format(value=constant.group().decode()))
     return _broken(data, at, _("is not JSON"))
 
 
+def _field_at(data: bytes, offset: int) -> str:
+    """The path there; what a damaged file has for names may be as long as the file."""
+    return legible(path_at(data, offset).removeprefix("document."), _LONGEST_REASON)
+
+
 def _broken(data: bytes, offset: int, problem: str) -> DocumentError:
-    field = path_at(data, offset).removeprefix("document.")
+    field = _field_at(data, offset)
     if not data.lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"{"):
         return DocumentError("", _not_ours())
     if not field:
