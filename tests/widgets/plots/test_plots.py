@@ -224,3 +224,9 @@ def test_the_title_of_an_axis_stands_beside_its_numbers(qtbot: QtBot, deepest: i
     title = box.right() - axis.label.document().documentMargin()
     number = QFontMetrics(plot._font()).horizontalAdvance(str(deepest))
     assert title <= axis.width() - 4 - number
+
+
+def test_what_is_dropped_on_a_plot_is_for_what_it_lies_in(depths: DepthPlot) -> None:
+    """Qt's part of it warns of what leaves where it never let it in."""
+    assert not depths._plot.acceptDrops()
+    assert not depths._plot.viewport().acceptDrops()

@@ -135,6 +135,8 @@ class Plot(QWidget):
         self._plot.hideButtons()
         self._plot.setMouseEnabled(x=True, y=False)
         self._plot.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        for each in (self._plot, self._plot.viewport()):
+            each.setAcceptDrops(False)  # Qt's part takes none, and warns of some that leave
         self._plot.setContextMenuPolicy(Qt.ContextMenuPolicy.NoContextMenu)  # so it is this widget's
         self._plot.scene().sigMouseClicked.connect(self._clicked)
         self._cursor_line = pyqtgraph.InfiniteLine(angle=90)
