@@ -12,9 +12,9 @@ _splits: "WeakSet[Split]" = WeakSet()
 
 
 def reset_splits(within: QWidget) -> None:
-    """Let all that are seen ``within`` a widget share their room as at first.
+    """Let all that lie ``within`` a widget share their room as at first.
 
-    They are not searched for: what PySide finds below a widget is nobody's any more once that one goes.
+    They are not asked for by ``findChildren``: PySide takes what that returns for gone once the widget goes.
     """
     for split in list(_splits):
         if isValid(split) and within.isAncestorOf(split):
